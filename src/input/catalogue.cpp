@@ -9,7 +9,6 @@
 #include <optional>
 #include <sstream>
 #include <string_view>
-#include <type_traits>
 
 #include "input/case/case.hpp"
 #include "input/language/codec_types.hpp"
@@ -22,50 +21,39 @@ namespace {
 constexpr std::string_view within_name = ".NAME.";  ///< in the names of blocks within a named block
 
 /// The visitor that collects the declarations; defaults are the members of default-constructed structs.
-class Collector {
+class Collector : public Visitor {
  public:
   explicit Collector(BlockEntry& block) : block_(block) {}
 
-  template <class T>
-  void key(const char* name, T&& member, const Spec& spec, const char* meaning) {
-    using Value = std::remove_cvref_t<T>;
-    KeyEntry entry{name, spec, Codec<Value>::name(spec), meaning, "", {}, JsonTree(Codec<Value>::schema(spec))};
+ protected:
+  void visit_key(const std::string& name, Member member, const Spec& spec, const char* meaning) override {
+    const KeyType& type = member.type;
+    KeyEntry entry{name, spec, type.name(type, spec), meaning, "", {}, JsonTree(type.schema(type, spec))};
     const bool must_be_given = spec.may_be_required();
-    const nlohmann::json value = Codec<Value>::encode(member, spec);
+    const nlohmann::json value = type.encode(type, member.at, spec);
     if (!must_be_given && !value.is_null()) entry.default_text = write_toml(value);
-    if constexpr (std::is_enum_v<WordOf<Value>>)
-      for (const auto& choice : choices<WordOf<Value>>) entry.words.emplace_back(choice.word, choice.meaning);
+    if (type.words.list != nullptr)
+      for (const WordTable::Word& word : type.words.list()) entry.words.emplace_back(word.word, word.meaning);
     block_.keys.push_back(std::move(entry));
   }
 
-  void table(const char* name, auto&& block, const char* meaning) {
-    collect(add(BlockKind::table, name, "", 1, meaning), block);
+  void visit_table(const std::string& name, const Blocks& block, const char* meaning) override {
+    collect(add(BlockKind::table, name, "", 1, meaning), block, block.at);
   }
-
-  template <class T>
-  void optional_table(const char* name, std::optional<T>&, const char* meaning) {
-    T block{};
-    collect(add(BlockKind::table, name, "", 0, meaning), block);
+  void visit_optional_table(const std::string& name, const Blocks& block, const char* meaning) override {
+    collect(add(BlockKind::table, name, "", 0, meaning), block, block.make().get());
   }
-
-  template <class T>
-  void tables(const char* name, std::vector<T>&, int samples, const char* meaning) {
-    T block{};
-    collect(add(BlockKind::list, name, "", samples, meaning), block);
+  void visit_tables(const std::string& name, const Blocks& blocks, int samples, const char* meaning) override {
+    collect(add(BlockKind::list, name, "", samples, meaning), blocks, blocks.make().get());
   }
-
-  template <class T>
-  void named(const char* name, std::map<std::string, T>&, const char* sample, int samples, const char* meaning) {
-    T block{};
-    collect(add(BlockKind::named, name, sample, samples, meaning), block);
+  void visit_named(const std::string& name, const Blocks& blocks, const char* sample, int samples,
+                   const char* meaning) override {
+    collect(add(BlockKind::named, name, sample, samples, meaning), blocks, blocks.make().get());
   }
-
-  template <class T>
-  void entries(const char* name, std::map<std::string, T>&, const char* sample, int samples, const Spec& spec,
-               const char* meaning) {
-    T value{};
+  void visit_entries(const std::string& name, const Entries& values, const char* sample, int samples, const Spec& spec,
+                     const char* meaning) override {
     BlockEntry entry = add(BlockKind::entries, name, sample, samples, meaning);
-    Collector(entry).key("NAME", value, spec, meaning);
+    Collector(entry).visit_key("NAME", {values.make().get(), values.type}, spec, meaning);
     block_.blocks.push_back(std::move(entry));
   }
 
@@ -78,9 +66,9 @@ class Collector {
             {},   {}};
   }
 
-  void collect(BlockEntry entry, auto& block) {
+  void collect(BlockEntry entry, const Blocks& blocks, void* block) {
     Collector inner(entry);
-    describe(inner, block);
+    blocks.describe(inner, block);
     block_.blocks.push_back(std::move(entry));
   }
 

@@ -7,12 +7,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -32,64 +30,57 @@ namespace {
 using nlohmann::json;
 
 /// The visitor that writes the structs as JSON.
-class Echo {
+class Echo : public Visitor {
  public:
   Echo(const Places& places, const std::set<std::string>& methods) : Echo(places, methods, "") {}
 
-  template <class T>
-  void key(const std::string& name, T&& member, const Spec& spec, const char* /*meaning*/) {
+  json take() { return std::move(object_); }
+
+ protected:
+  void visit_key(const std::string& name, Member member, const Spec& spec, const char* /*meaning*/) override {
     if (spec.condition && !spec.condition->holds()) return;
     // A key that no method requires and that was not given has no value.
     if (!spec.methods.empty() && spec.is_waived(methods_) && !places_.is_given(write_path(name))) return;
-    json entry = {{"value", Codec<std::remove_cvref_t<T>>::encode(member, spec)},
+    json entry = {{"value", member.type.encode(member.type, member.at, spec)},
                   {"given", places_.is_given(write_path(name))}};
     if (!spec.unit.empty()) entry["unit"] = spec.unit;
     object_[name] = std::move(entry);
   }
-
-  void table(const std::string& name, auto&& block, const char* /*meaning*/) {
-    object_[name] = write_block(write_path(name), block);
+  void visit_table(const std::string& name, const Blocks& block, const char* /*meaning*/) override {
+    object_[name] = write_block(write_path(name), block, block.at);
   }
-
-  template <class T>
-  void optional_table(const std::string& name, std::optional<T>& block, const char* meaning) {
-    if (block) table(name, *block, meaning);
+  void visit_optional_table(const std::string& name, const Blocks& block, const char* /*meaning*/) override {
+    if (block.get_size(block.at) > 0) object_[name] = write_block(write_path(name), block, block.get(block.at, 0));
   }
-
-  template <class T>
-  void tables(const std::string& name, std::vector<T>& blocks, int /*samples*/, const char* /*meaning*/) {
+  void visit_tables(const std::string& name, const Blocks& blocks, int /*samples*/, const char* /*meaning*/) override {
     json list = json::array();
-    for (std::size_t i = 0; i < blocks.size(); ++i)
-      list.push_back(write_block(write_path(name) + "." + std::to_string(i), blocks[i]));
+    for (std::size_t i = 0; i < blocks.get_size(blocks.at); ++i)
+      list.push_back(write_block(write_path(name) + "." + std::to_string(i), blocks, blocks.get(blocks.at, i)));
     object_[name] = std::move(list);
   }
-
-  template <class T>
-  void named(const std::string& name, std::map<std::string, T>& blocks, const char* /*sample*/, int /*samples*/,
-             const char* /*meaning*/) {
+  void visit_named(const std::string& name, const Blocks& blocks, const char* /*sample*/, int /*samples*/,
+                   const char* /*meaning*/) override {
     json list = json::object();
-    for (auto& [label, block] : blocks) list[label] = write_block(write_path(name) + "." + label, block);
+    for (const std::string& label : blocks.list_names(blocks.at))
+      list[label] = write_block(write_path(name) + "." + label, blocks, blocks.find(blocks.at, label));
     object_[name] = std::move(list);
   }
-
-  template <class T>
-  void entries(const std::string& name, std::map<std::string, T>& values, const char* /*sample*/, int /*samples*/,
-               const Spec& spec, const char* meaning) {
+  void visit_entries(const std::string& name, const Entries& values, const char* /*sample*/, int /*samples*/,
+                     const Spec& spec, const char* meaning) override {
     Echo inner(places_, methods_, write_path(name));
-    for (auto& [label, value] : values) inner.key(label, value, spec, meaning);
-    object_[name] = std::move(inner.object_);
+    for (const std::string& label : values.list_names(values.at))
+      inner.visit_key(label, {values.find(values.at, label), values.type}, spec, meaning);
+    object_[name] = inner.take();
   }
-
-  json take() { return std::move(object_); }
 
  private:
   Echo(const Places& places, const std::set<std::string>& methods, std::string path)
       : places_(places), methods_(methods), path_(std::move(path)) {}
 
-  json write_block(const std::string& path, auto& block) {
+  json write_block(const std::string& path, const Blocks& blocks, void* block) {
     Echo inner(places_, methods_, path);
-    describe(inner, block);
-    return std::move(inner.object_);
+    blocks.describe(inner, block);
+    return inner.take();
   }
 
   std::string write_path(const std::string& name) const { return path_.empty() ? name : path_ + "." + name; }
@@ -267,44 +258,45 @@ void append(toml::array& list, const json& value) {
 
 /// The visitor that reads the structs from an echo. A key that is missing or has another form keeps its default,
 /// because the results may be from another version.
-class EchoReader {
+class EchoReader : public Visitor {
  public:
   EchoReader(const json& object, Findings& findings) : object_(object), findings_(findings) {}
 
-  void key(const std::string& name, auto&& member, const Spec& spec, const char* /*meaning*/) {
+ protected:
+  void visit_key(const std::string& name, Member member, const Spec& spec, const char* /*meaning*/) override {
     const json& leaf = look_up(name);
     if (!leaf.is_object() || !leaf.contains("value")) return;
-    decode(leaf.at("value"), name, spec, member);
+    const json& value = leaf.at("value");
+    // JSON has no infinity, so it is written as null.
+    if (value.is_null() && spec.allows_infinity && &member.type == &get_key_type<double>())
+      return member.type.set_number(member.at, std::numeric_limits<double>::infinity());
+    with_toml(value, [&](const toml::node& node) { member.decode({spec, name, findings_, node, name}); });
   }
-
-  void table(const std::string& name, auto&& block, const char* /*meaning*/) { read_block(look_up(name), block); }
-
-  template <class T>
-  void optional_table(const std::string& name, std::optional<T>& block, const char* /*meaning*/) {
-    if (look_up(name).is_object()) read_block(look_up(name), block.emplace());
+  void visit_table(const std::string& name, const Blocks& block, const char* /*meaning*/) override {
+    read_block(look_up(name), block, block.at);
   }
-
-  template <class T>
-  void tables(const std::string& name, std::vector<T>& blocks, int /*samples*/, const char* /*meaning*/) {
+  void visit_optional_table(const std::string& name, const Blocks& block, const char* /*meaning*/) override {
+    if (!look_up(name).is_object()) return;
+    block.resize(block.at, 1);
+    read_block(look_up(name), block, block.get(block.at, 0));
+  }
+  void visit_tables(const std::string& name, const Blocks& blocks, int /*samples*/, const char* /*meaning*/) override {
     const json& list = look_up(name);
     if (!list.is_array()) return;
-    blocks.resize(list.size());
-    for (std::size_t i = 0; i < list.size(); ++i) read_block(list[i], blocks[i]);
+    blocks.resize(blocks.at, list.size());
+    for (std::size_t i = 0; i < list.size(); ++i) read_block(list[i], blocks, blocks.get(blocks.at, i));
   }
-
-  template <class T>
-  void named(const std::string& name, std::map<std::string, T>& blocks, const char* /*sample*/, int /*samples*/,
-             const char* /*meaning*/) {
+  void visit_named(const std::string& name, const Blocks& blocks, const char* /*sample*/, int /*samples*/,
+                   const char* /*meaning*/) override {
     if (!look_up(name).is_object()) return;
-    for (const auto& [label, block] : look_up(name).items()) read_block(block, blocks[label]);
+    for (const auto& [label, block] : look_up(name).items()) read_block(block, blocks, blocks.find(blocks.at, label));
   }
-
-  template <class T>
-  void entries(const std::string& name, std::map<std::string, T>& values, const char* /*sample*/, int /*samples*/,
-               const Spec& spec, const char* meaning) {
+  void visit_entries(const std::string& name, const Entries& values, const char* /*sample*/, int /*samples*/,
+                     const Spec& spec, const char* meaning) override {
     if (!look_up(name).is_object()) return;
     EchoReader inner(look_up(name), findings_);
-    for (const auto& [label, leaf] : look_up(name).items()) inner.key(label, values[label], spec, meaning);
+    for (const auto& [label, leaf] : look_up(name).items())
+      inner.visit_key(label, {values.find(values.at, label), values.type}, spec, meaning);
   }
 
  private:
@@ -313,20 +305,9 @@ class EchoReader {
     return object_.is_object() && object_.contains(name) ? object_.at(name) : nothing;
   }
 
-  void read_block(const json& object, auto& block) {
+  void read_block(const json& object, const Blocks& blocks, void* block) {
     EchoReader inner(object, findings_);
-    describe(inner, block);
-  }
-
-  template <class T>
-  void decode(const json& value, const std::string& name, const Spec& spec, T& member) {
-    using Value = std::remove_cvref_t<T>;
-    // JSON has no infinity, so it is written as null.
-    if constexpr (std::is_same_v<Value, double>)
-      if (value.is_null() && spec.allows_infinity) return void(member = std::numeric_limits<double>::infinity());
-    with_toml(value, [&](const toml::node& node) {
-      Codec<Value>::decode({spec, name, findings_, node, name}, member);
-    });
+    blocks.describe(inner, block);
   }
 
   const json& object_;

@@ -13,7 +13,7 @@
 #include "base/lane.hpp"
 #include "base/shown_units.hpp"
 #include "input/language/findings.hpp"
-#include "input/language/spec.hpp"
+#include "input/language/visitor.hpp"
 #include "material/properties.hpp"
 
 namespace talus::material {

@@ -29,7 +29,7 @@ struct CamClayParameters {
 struct CamClayInput {
   double compression = 0, swelling = 0, critical_state_slope = 0, suction_hardening = 0, smallest_pressure = 1e3;
 };
-void describe(auto& v, CamClayInput& in, const Users& users) {
+inline void describe(input::Visitor& v, CamClayInput& in, const Users& users) {
   v.key("lambda", in.compression, users.need(plain().above(0)).example("0.089"),
         "λ, slope of the normal-compression line in the plane of void ratio and ln p'; the compression index over "
         "2.303.");
@@ -53,7 +53,7 @@ struct Preconsolidation {
 
   void check(const SoilFindings& findings, const char* title) const;
 };
-void describe(auto& v, Preconsolidation& in, const Users& users) {
+inline void describe(input::Visitor& v, Preconsolidation& in, const Users& users) {
   v.key("preconsolidation", in.preconsolidation, users.allow(quantity("kPa").above(0)).example("125"),
         "p'c₀, preconsolidation pressure of the saturated soil without roots. Where the stress at the start needs a "
         "larger one, the soil is normally consolidated there. Either this or `preconsolidation_ratio` is needed.");
@@ -76,7 +76,7 @@ struct RootParameters {
 
   void check(const SoilFindings& findings) const;
 };
-void describe(auto& v, RootParameters& in, const Users& users) {
+inline void describe(input::Visitor& v, RootParameters& in, const Users& users) {
   input::PerCent<double> content{in.root_content};
   v.key("root_content", content, users.allow(quantity("%").at_least(0).below(100)).example("0.88"),
         "m_r, dry root mass over dry soil mass, where no [[roots]] says otherwise. A plain number is per cent: 0.88, "

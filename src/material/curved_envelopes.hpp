@@ -14,7 +14,7 @@ struct PowerCurveInput {
   double power_shift = 0;     ///< d [Pa]
   double power_cohesion = 0;  ///< c [Pa]
 };
-void describe(auto& v, PowerCurveInput& in, const Users& users) {
+inline void describe(input::Visitor& v, PowerCurveInput& in, const Users& users) {
   v.key("power_factor", in.power_factor, users.need(plain().above(0)).usual(0.05, 20).example("2"),
         "a of the power curve τ = a (σ' + d)^b + c, for stresses in kPa.");
   v.key("power_exponent", in.power_exponent, users.need(plain().above(0).at_most(1)).usual(0.4, 1).example("0.7"),
@@ -46,7 +46,7 @@ struct StrengthTableInput {
   std::vector<double> normal_stresses;  ///< σ'_n, increasing [Pa]
   std::vector<double> shear_strengths;  ///< τ [Pa]
 };
-void describe(auto& v, StrengthTableInput& in, const Users& users) {
+inline void describe(input::Visitor& v, StrengthTableInput& in, const Users& users) {
   v.key("normal_stresses", in.normal_stresses, users.need(quantity("kPa").at_least(0)).example("[0, 50, 200]"),
         "Effective normal stresses of a strength envelope, increasing.");
   v.key("shear_strengths", in.shear_strengths, users.need(quantity("kPa").at_least(0)).example("[5, 40, 130]"),
@@ -76,7 +76,7 @@ struct JointInput {
   double joint_strength = 0;     ///< JCS [Pa]
   double residual_friction = 0;  ///< φ_r [rad]
 };
-void describe(auto& v, JointInput& in, const Users& users) {
+inline void describe(input::Visitor& v, JointInput& in, const Users& users) {
   v.key("joint_roughness", in.joint_roughness,
         users.need(plain().at_least(0).at_most(30)).usual_or_zero(1, 20).example("8"),
         "JRC, joint roughness coefficient.");

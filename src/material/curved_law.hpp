@@ -48,7 +48,7 @@ using CurvedEnvelope = std::variant<HoekBrownMass, PowerEnvelope, StrengthPairs>
 struct FlowRatio {
   double dilatancy_ratio = 0;  ///< tan ψ over tan φ of the tangent [-]
 };
-void describe(auto& v, FlowRatio& in, const Users& users) {
+inline void describe(input::Visitor& v, FlowRatio& in, const Users& users) {
   v.key("dilatancy_ratio", in.dilatancy_ratio,
         users.need(plain().at_least(0).at_most(1)).by_methods({"fem", "mpm"}).example("0"),
         "tan ψ of the plastic flow over tan φ of the tangent to the envelope: 0 at constant volume, 1 associated.");

@@ -14,7 +14,7 @@ struct AdpInput {
   double direct_ratio = 1;   ///< s_uD/s_uA [-]
   double passive_ratio = 1;  ///< s_uP/s_uA [-]
 };
-void describe(auto& v, AdpInput& in, const Users& users) {
+inline void describe(input::Visitor& v, AdpInput& in, const Users& users) {
   v.key("direct_ratio", in.direct_ratio, users.need(plain().above(0).at_most(1.5)).usual(0.4, 1).example("0.63"),
         "Strength in direct simple shear over the active one, s_uD/s_uA, which `undrained_strength` or the profile "
         "gives.");
@@ -50,7 +50,7 @@ struct AnisotropicInput {
   std::vector<double> inclined_cohesions;  ///< [Pa]
   std::vector<double> inclined_frictions;  ///< [rad]
 };
-void describe(auto& v, AnisotropicInput& in, const Users& users) {
+inline void describe(input::Visitor& v, AnisotropicInput& in, const Users& users) {
   v.key("base_inclinations", in.base_inclinations,
         users.need(quantity("deg").at_least(-90).at_most(90)).example("[-90, -20, 20, 90]"),
         "Inclinations of a plane to the horizontal, increasing, positive where it rises with x.");
@@ -84,7 +84,7 @@ struct BeddingInput {
   std::optional<double> bedding_transition;  ///< B [rad]
   double bedding_dilatancy = 0;              ///< [rad]
 };
-void describe(auto& v, BeddingInput& in, const Users& users) {
+inline void describe(input::Visitor& v, BeddingInput& in, const Users& users) {
   v.key("bedding_angle", in.bedding_angle, users.need(quantity("deg").at_least(-90).at_most(90)).example("25"),
         "Inclination of the bedding to the horizontal, positive where it rises with x.");
   v.key("bedding_cohesion", in.bedding_cohesion,

@@ -36,7 +36,7 @@ namespace talus::material {
 struct DruckerPragerInput {
   ConeMatch cone = ConeMatch::plane_strain;
 };
-void describe(auto& v, DruckerPragerInput& in, const Users& users) {
+inline void describe(input::Visitor& v, DruckerPragerInput& in, const Users& users) {
   v.key("cone", in.cone, users.need(plain()).example(R"("plane_strain")"),
         "Where the cone of Drucker–Prager has the strength that c and φ give Mohr–Coulomb's pyramid.");
 }

@@ -69,7 +69,7 @@ struct ExternalParameters {
 
   const std::string& find_library() const { return library_file.empty() ? library : library_file; }
 };
-void describe(auto& v, ExternalParameters& in, const Users& users) {
+inline void describe(input::Visitor& v, ExternalParameters& in, const Users& users) {
   v.key("library", in.library, users.need(plain()).example(R"("model.so")"),
         "The shared library that holds the UMAT; its path is relative to the case file.");
   v.key("symbol", in.symbol, users.allow(plain()),

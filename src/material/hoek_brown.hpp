@@ -16,7 +16,7 @@ struct HoekBrownInput {
   double intact_constant = 0;  ///< m_i [-]
   double disturbance = 0;      ///< D [-]
 };
-void describe(auto& v, HoekBrownInput& in, const Users& users) {
+inline void describe(input::Visitor& v, HoekBrownInput& in, const Users& users) {
   v.key("intact_strength", in.intact_strength,
         users.need(quantity("MPa").above(0))
             .usual(1, 300, {{"kPa", 1e-3}, {"Pa", 1e-6}, {"psi", 6.894757e-3}})
@@ -53,7 +53,7 @@ struct HoekBrown : CurvedSoil<HoekBrown> {
 struct ResidualIndex {
   double residual_gsi = 0;  ///< [-]
 };
-void describe(auto& v, ResidualIndex& in, const Users& users) {
+inline void describe(input::Visitor& v, ResidualIndex& in, const Users& users) {
   v.key("residual_gsi", in.residual_gsi, users.need(plain().above(0).at_most(100)).usual(5, 40).example("22"),
         "Geological Strength Index after softening, at most `gsi` (Cai et al. 2007).");
 }

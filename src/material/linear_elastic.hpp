@@ -31,7 +31,7 @@ struct Response {
 struct YoungInput {
   double young_modulus = 0;  ///< E [Pa]
 };
-void describe(auto& v, YoungInput& in, const Users& users) {
+inline void describe(input::Visitor& v, YoungInput& in, const Users& users) {
   const std::vector<input::Slip> slips{{"MPa", 1e3}, {"GPa", 1e6}, {"Pa", 1e-3}, {"psf", 0.0478803}};
   v.key("young_modulus", in.young_modulus,
         users.need(quantity("kPa").above(0)).by_methods({"fem", "mpm"}).usual(200, 5e6, slips).example("45000"),
@@ -41,7 +41,7 @@ void describe(auto& v, YoungInput& in, const Users& users) {
 struct PoissonInput {
   double poisson_ratio = 0;  ///< ν [-]
 };
-void describe(auto& v, PoissonInput& in, const Users& users) {
+inline void describe(input::Visitor& v, PoissonInput& in, const Users& users) {
   v.key("poisson_ratio", in.poisson_ratio,
         users.need(plain().above(-1).below(0.5)).by_methods({"fem", "mpm"}).usual_or_zero(0.05, 0.495).example("0.3"),
         "Poisson's ratio.");

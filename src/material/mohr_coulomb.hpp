@@ -39,7 +39,7 @@ struct MohrCoulombStrength {
   Properties list_properties() const;
   void divide(PartialDivision& division);
 };
-void describe(auto& v, MohrCoulombStrength& in, const Users& users) {
+inline void describe(input::Visitor& v, MohrCoulombStrength& in, const Users& users) {
   const std::vector<input::Slip> angles{{"rad", 57.29578}};
   const std::vector<input::Slip> stresses{{"Pa", 1e-3}, {"MPa", 1e3}, {"psf", 0.0478803}};
   v.key("cohesion", in.cohesion,
@@ -67,7 +67,7 @@ struct CohesionGradient {
   /// Returns the increase of the cohesion at a level [Pa].
   double find_extra(double level) const { return cohesion_gradient * std::max(0.0, cohesion_level - level); }
 };
-void describe(auto& v, CohesionGradient& in, const Users& users) {
+inline void describe(input::Visitor& v, CohesionGradient& in, const Users& users) {
   v.key("cohesion_gradient", in.cohesion_gradient, users.allow(quantity("kPa/m")).example("1.5"),
         "The cohesion grows by this per metre below `cohesion_level`.");
   v.key("cohesion_level", in.cohesion_level, users.allow(quantity("m")).example("15"),

@@ -28,7 +28,7 @@ double find_fibre_bundle_cohesion(std::vector<RootClass> roots, double orientati
 struct RootCohesionInput {
   double root_cohesion = 0;  ///< c_r where no [[roots]] sets it [Pa]
 };
-void describe(auto& v, RootCohesionInput& in, const Users& users) {
+inline void describe(input::Visitor& v, RootCohesionInput& in, const Users& users) {
   v.key("root_cohesion", in.root_cohesion, users.allow(quantity("kPa").at_least(0)).example("5"),
         "c_r, added to the cohesion, where no [[roots]] says otherwise.");
 }

@@ -16,7 +16,7 @@ struct ShansepInput {
   std::vector<double> profile_ocr;               ///< [-]
   std::vector<double> profile_preconsolidation;  ///< σ'_p [Pa]
 };
-void describe(auto& v, ShansepInput& in, const Users& users) {
+inline void describe(input::Visitor& v, ShansepInput& in, const Users& users) {
   v.key("strength_ratio", in.strength_ratio, users.need(plain().above(0)).usual(0.1, 0.5).example("0.22"),
         "S, undrained strength of the normally consolidated soil over σ'_v.");
   v.key("strength_exponent", in.strength_exponent, users.need(plain().at_least(0)).usual(0.5, 1).example("0.8"),

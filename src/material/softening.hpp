@@ -41,7 +41,7 @@ struct SofteningRange {
   void check(const SoilFindings& findings) const;
   void add_properties(Properties& list) const;
 };
-void describe(auto& v, SofteningRange& in, const Users& users) {
+inline void describe(input::Visitor& v, SofteningRange& in, const Users& users) {
   v.key("softening_start", in.softening_start, users.allow(plain().at_least(0)).example("0.01"),
         "Deviatoric plastic strain, ∫√(⅔ ė:ė) dt, at which the strength begins to fall.");
   v.key("softening_end", in.softening_end,
@@ -56,7 +56,7 @@ struct ResidualStrength {
   double residual_cohesion = 0;        ///< [Pa]
   double residual_friction_angle = 0;  ///< [rad]
 };
-void describe(auto& v, ResidualStrength& in, const Users& users) {
+inline void describe(input::Visitor& v, ResidualStrength& in, const Users& users) {
   v.key("residual_cohesion", in.residual_cohesion,
         users.need(quantity("kPa").at_least(0)).usual_or_zero(0.01, 500).example("2"),
         "Cohesion after softening, at most `cohesion`.");

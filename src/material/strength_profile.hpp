@@ -22,7 +22,7 @@ struct StrengthProfile {
   /// `values` of `key`.
   void check(const SoilFindings& findings, const char* key, const std::vector<double>& values) const;
 };
-void describe(auto& v, StrengthProfile& in, const Users& users) {
+inline void describe(input::Visitor& v, StrengthProfile& in, const Users& users) {
   v.key("profile_levels", in.profile_levels, users.allow(quantity("m")).example("[10, 6, 0]"),
         "Elevations y of a profile, from the top down; its values are linear between them and constant beyond.");
   v.key("profile_depths", in.profile_depths, users.allow(quantity("m").at_least(0)).example("[0, 4, 10]"),

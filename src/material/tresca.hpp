@@ -20,7 +20,7 @@ struct TrescaInput {
   /// Returns the increase of s_u at a level [Pa].
   double find_growth(double level) const { return undrained_gradient * std::max(0.0, undrained_level - level); }
 };
-void describe(auto& v, TrescaInput& in, const Users& users) {
+inline void describe(input::Visitor& v, TrescaInput& in, const Users& users) {
   const std::vector<input::Slip> slips{{"Pa", 1e-3}, {"MPa", 1e3}, {"psf", 0.0478803}};
   v.key("profile_strengths", in.profile_strengths,
         users.allow(quantity("kPa").above(0)).usual(1, 500, slips).example("[20, 20, 45]"),

@@ -10,8 +10,68 @@
 #include "base/user_file.hpp"
 #include "input/case/checks.hpp"
 #include "input/case/output.hpp"
+#include "input/language/visitor.hpp"
 
 namespace talus::input {
+
+void describe(Visitor& v, AnalysisBlock& a) {
+  v.key("methods", a.methods, plain(),
+        "The methods of the calculation, in one report. Without \"mpm\" a case needs no box, no stage, no boundary "
+        "and, with \"lem\" alone, no mesh and no stiffness; with \"seepage\" alone, no weight and no strength either. "
+        "Where "
+        "such keys are given, they are not used.");
+  v.key("kind", a.kind, plain(), "Analysis by MPM.");
+}
+
+void describe(Visitor& v, DisplacementCurve& c) {
+  v.key("enabled", c.enabled, plain(), "Calculate the curve.");
+  v.key("from", c.from, plain().above(0), "First strength reduction factor.");
+  v.key("to", c.to, plain().above(0), "Last strength reduction factor.");
+  v.key("step", c.step, plain().above(0), "Distance of the factors.");
+  v.key("refine", c.refine, plain(), "Halve the intervals where the curve bends.");
+  v.key("refine_step", c.refine_step, plain().above(0), "Smallest interval.");
+  v.key("window", c.window, quantity("s").above(0), "Observation time of a trial.");
+  describe(v, c.step_settings);
+  v.key("initial_branch", c.initial_branch, plain().above(0).example("[1.0, 1.2]"),
+        "From and to which factor the first line is fitted; empty: chosen from the data.");
+  v.key("final_branch", c.final_branch, plain().above(0).example("[1.5, 1.7]"),
+        "From and to which factor the second line is fitted; empty: chosen from the data.");
+  v.key("displacement_ratio", c.displacement_ratio, plain().above(0),
+        "Displacement over the relief of the ground that counts as failure in the second criterion.");
+  v.key("runout", c.runout, plain().above(0).example("[1.6, 1.7]"), "Factors whose trials continue until rest.");
+  v.key("runout_time", c.runout_time, quantity("s").above(0), "Longest time of such a trial.");
+}
+
+void describe(Visitor& v, FrozenFactor& f) {
+  v.key("enabled", f.enabled, plain(), "Calculate this factor of safety.");
+  v.key("from", f.from, plain().above(0), "Lower end of the first bracket; widened when the factor is not in it.");
+  v.key("to", f.to, plain().above(0), "Upper end of the first bracket.");
+  v.key("resolution", f.resolution, plain().above(0), "Width of the last bracket.");
+  v.key(
+      "meshes", f.meshes, plain().at_least(1).at_most(3),
+      "1: one mesh of the case's element size. 2: also one of half that size and one of twice it, which costs little; "
+      "the factor is extrapolated to size zero by a line through the three. 3: instead of twice it, a quarter.");
+  v.key("mesh_scatter", f.mesh_scatter, plain(),
+        "With two meshes, calculate the coarse one by another mesher too. The interval that is printed is no narrower "
+        "than the distance of the two factors.");
+  v.key("algorithm", f.algorithm, plain(),
+        "Gmsh's algorithm for these meshes (a ready mesh file is used as it is). Irregular ones lock least.");
+  v.key("corner_refinement", f.corner_refinement, plain().at_least(1).at_most(16),
+        "How many times smaller the elements of these meshes are at corners of the ground that point into the soil, "
+        "such as a slope's toe. They reach the general size 8 sizes away. 1: no smaller. A ready mesh file, or a "
+        "result's, is used as it is.");
+  v.key("window", f.window, quantity("s").above(0), "A trial that has not decided by then is reported as undecided.");
+  v.key("failed_displacement", f.failed_displacement, plain().above(0),
+        "Displacement over the relief of the ground that decides \"failed\".");
+  describe(v, f.step_settings);
+  v.table("rest", f.rest, "What decides \"at rest\" in a trial.");
+}
+
+void describe(Visitor& v, StrengthReduction& s) {
+  v.table("curve", s.curve,
+          "Displacement over strength reduction factor on moving geometry, and the constructions on that curve.");
+  v.table("frozen", s.frozen, "The factor of safety from rest or run-away at frozen geometry, by bisection.");
+}
 
 namespace {
 

@@ -6,8 +6,64 @@
 #include "base/text.hpp"
 #include "base/units.hpp"
 #include "input/case/checks.hpp"
+#include "input/language/visitor.hpp"
 
 namespace talus::input {
+
+void describe(Visitor& v, Surcharge& s) {
+  v.key("name", s.name, plain().required().example(R"("road")"), "Name of the load.");
+  v.key("x", s.x, quantity("m").required().example("[2, 8]"), "Where on the ground, from left to right.");
+  v.key("load", s.load,
+        quantity("kPa").required().usual_or_zero(0.5, 500, {{"Pa", 1e-3}, {"psf", 0.0478803}}).example("[20, 20]"),
+        "Load per horizontal area at each x, downwards, linear between them; none outside.");
+  v.key("variable", s.variable, plain(), "A variable action in the sense of Eurocode 7; false: a permanent one.");
+}
+
+void describe(Visitor& v, Slurry& s) {
+  v.key("name", s.name, plain().required().example(R"("bentonite")"), "Name of the liquid.");
+  v.key("x", s.x, quantity("m").required().example("[20, 20.8]"), "From where to where it may stand on the ground.");
+  v.key("level", s.level, quantity("m").required().example("9.5"), "Level of its surface.");
+  v.key("unit_weight", s.unit_weight,
+        quantity("kN/m3")
+            .above(0)
+            .usual(9, 16, {{"kg/m3", 9.80665e-3}, {"t/m3", 9.80665}, {"pcf", 0.1570875}})
+            .required()
+            .example("10.5"),
+        "Its weight.");
+}
+
+void describe(Visitor& v, Earthquake& e) {
+  v.key("horizontal", e.horizontal, plain().usual_or_zero(0.01, 0.5, {{"%", 0.01}, {"m/s2", 0.10197}}).of_either_sign(),
+        "k_h, horizontal acceleration over g.");
+  v.key("vertical", e.vertical, plain().above(-1),
+        "k_v, vertical acceleration over g; down (more weight) is positive.");
+  v.key("direction", e.direction, plain(), "Towards which side the horizontal acceleration pushes the soil.");
+}
+
+void describe(Visitor& v, Boundary& b) {
+  v.key("on", b.on, plain().required().example_each({R"("bottom")", R"("left")", R"("right")"}),
+        "A side (left, right, bottom, top; in 3D also front, back), a named line, or a side group of the mesh file.");
+  v.key("fix", b.fix, plain().required().example_each({R"("full")", R"("normal")", R"("normal")"}),
+        "What the boundary does to the motion.");
+  v.key("normal", b.normal, plain().needed_with("fix", b.fix, Fix::plane).example("[1, 1]"),
+        "Direction of the suppressed motion, of any length but zero.");
+  v.key("friction", b.friction, plain().at_least(0).needed_with("fix", b.fix, Fix::friction).example("0.5"),
+        "Coulomb's coefficient of the wall.");
+  v.key("velocity", b.velocity, quantity("m/s").needed_with("fix", b.fix, Fix::velocity).example("[0.1, 0]"),
+        "Prescribed velocity.");
+  v.key("factor", b.factor, quantity("s").allowed_with("fix", b.fix, Fix::velocity).example("[[0, 0], [1, 1]]"),
+        "The velocity is multiplied by this factor: linear between the rows, constant before and after them.");
+  v.key("smooth", b.smooth, plain().allowed_with("fix", b.fix, Fix::velocity),
+        "The velocity is prescribed across the boundary only, and the soil is free to move along it.");
+}
+
+void describe(Visitor& v, Traction& t) {
+  v.key("on", t.on, plain().required().example(R"("crest")"), "A side or a named line, as in [[boundary]].");
+  v.key("carrier", t.carrier, plain(), "What carries the load.");
+  v.key("traction", t.traction, quantity("kPa").required().example("[0, -20]"), "Load per area.");
+  v.key("factor", t.factor, quantity("s").example("[[0, 0], [2, 1]]"),
+        "The load is multiplied by this factor: linear between the rows, constant before and after them.");
+}
 namespace {
 
 bool is_zero(const std::array<double, 3>& v) {

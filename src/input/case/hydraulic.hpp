@@ -59,43 +59,6 @@ inline constexpr auto choices<RainDirection> = std::array{
     Choice{RainDirection::normal, "normal", "an intensity on the inclined surface itself"},
 };
 
-void describe(auto& v, Hydraulic& h) {
-  using C = WaterCondition;
-  v.key("on", h.on, plain().required().example(R"("crest")"),
-        "A side of the box or a named line, as in [[boundary]]. One on the surface of the soil goes with it.");
-  v.key("condition", h.condition, plain().required().example(R"("rain")"), "What water meets there.");
-  Series head{h.head}, pressure{h.pressure}, rate{h.rate};
-  v.key("head", head, quantity("m").needed_with("condition", h.condition, C::total_head).example("10"),
-        "Level of the water, or rows of time and level.");
-  v.key("pressure", pressure, quantity("kPa").needed_with("condition", h.condition, C::pressure).example("-20"),
-        "Pore pressure, positive in compression: suction is negative. Or rows of time and pressure.");
-  v.key("rate", rate,
-        quantity("mm/h")
-            .needed_with("condition", h.condition, C::rain)
-            .or_with("condition", h.condition, C::flux)
-            .example(R"([[0, "20 mm/h"], ["6 h", 5], ["12 h", 0]])"),
-        "Water that is offered or enters, per area, or rows of time and rate. A plain number is in mm/h for a flux as "
-        "well; write \"1e-6 m/s\" where that is handier.");
-  v.key("series", h.series,
-        plain()
-            .allowed_with("condition", h.condition, C::total_head)
-            .or_with("condition", h.condition, C::pressure)
-            .or_with("condition", h.condition, C::rain)
-            .or_with("condition", h.condition, C::flux)
-            .example(R"("steps")"),
-        "How rows of time are joined. The value is constant before the first and after the last.");
-  v.key("rain", h.rain, plain().allowed_with("condition", h.condition, C::rain), "How the rate is measured.");
-  v.key("suction_limit", h.suction_limit,
-        quantity("kPa").above(0).or_infinite().allowed_with("condition", h.condition, C::rain),
-        "Suction at the surface where evaporation ends.");
-  v.key("standing_depth", h.standing_depth,
-        quantity("mm").at_least(0).allowed_with("condition", h.condition, C::rain).example("5"),
-        "Rain that cannot enter stands on the ground up to this depth, and enters later. In a season and a timeline.");
-  v.key(
-      "runs_on", h.runs_on, plain().allowed_with("condition", h.condition, C::rain),
-      "Rain that cannot enter, and does not stand, runs down the ground to where it can, or to the pool, or off the "
-      "section; water that comes out of the ground too. Its way ends where the ground has no condition or `no_flow`. "
-      "It holds for all of the ground once one rain has it. Without it such rain is gone. In a season and a timeline.");
-}
+void describe(Visitor& v, Hydraulic& h);
 
 }  // namespace talus::input

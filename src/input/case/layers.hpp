@@ -34,24 +34,7 @@ struct LayerInput {
   bool cut = false;
 };
 
-void describe(auto& v, LayerInput& l) {
-  v.key("name", l.name, plain().required().example(R"("clay")"), "Name of the region; [regions] gives it a material.");
-  v.key("bottom", l.bottom, quantity("m").example("[[0, 4], [44, 2]]"),
-        "Lower boundary as points from left to right, or a table. A line that ends inside the section at the boundary "
-        "above pinches out there; otherwise it continues level. Each layer needs one of `bottom`, `level`, `thickness` "
-        "and `depths`.");
-  v.key("level", l.level, quantity("m").example("-5"), "Level of a horizontal lower boundary.");
-  v.key("thickness", l.thickness, quantity("m").above(0).example("0.5"),
-        "Vertical distance of the lower boundary from the one above, or from the ground.");
-  v.key("depths", l.depths, quantity("m").example("[[4, 3.2], [20, 2.5]]"),
-        "Boreholes: position along x, and depth of the lower boundary below the ground there. A layer that a borehole "
-        "does not meet has the depth of the one above. In a table, boreholes that end higher have an empty cell.");
-  v.key("between", l.between, plain(),
-        "How the boundary runs between boreholes. Beyond the first and the last its depth is constant.");
-  v.key("cut", l.cut, plain(),
-        "true: the boundary above cuts this one where they cross, as an erosion surface does. By default, crossing "
-        "boundaries are a fault. The ground always cuts, and boundaries between boreholes are always cut.");
-}
+void describe(Visitor& v, LayerInput& l);
 
 /// The section as given; empty after build_layers().
 struct Layering {

@@ -8,8 +8,54 @@
 
 #include "base/text.hpp"
 #include "input/case/checks.hpp"
+#include "input/language/visitor.hpp"
 
 namespace talus::input {
+
+void describe(Visitor& v, PointTest& t) {
+  v.key("name", t.name, plain().required().example(R"("cell 100 kPa")"), "Name of the test in tables and pictures.");
+  v.key("material", t.material, plain().required().example(R"("sand")"), "Its soil.");
+  v.key("kind", t.kind, plain().required().example(R"("drained_triaxial")"), "What is done to the soil.");
+  v.key("control", t.control, plain().allowed_unless("kind", t.kind, PointTestKind::wetting),
+        "What the apparatus prescribes.");
+  v.key("drainage", t.drainage, plain().allowed_with("kind", t.kind, PointTestKind::simple_shear),
+        "What happens to the volume in simple shear.");
+  using enum PointTestKind;
+  v.key("confining_pressure", t.confining_pressure,
+        quantity("kPa")
+            .above(0)
+            .needed_with("kind", t.kind, drained_triaxial)
+            .or_with("kind", t.kind, undrained_triaxial)
+            .or_with("kind", t.kind, isotropic_compression)
+            .or_with("kind", t.kind, wetting)
+            .example("100"),
+        "Radial stress at the start: effective, of soil with suction net.");
+  v.key("vertical_stress", t.vertical_stress,
+        quantity("kPa")
+            .above(0)
+            .needed_with("kind", t.kind, oedometer)
+            .or_with("kind", t.kind, k0_compression)
+            .or_with("kind", t.kind, simple_shear)
+            .example("25"),
+        "Axial stress at the start: effective, of soil with suction net.");
+  v.key("k0", t.k0, plain().above(0).allowed_unless("kind", t.kind, isotropic_compression).example("0.5"),
+        "Radial over axial stress at the start. Required of tests with a vertical stress; 1 where not given.");
+  v.key("axial_strain", Turns{t.axial_strain}, plain().above(-1).below(1).example("0.25"),
+        "Axial strain at the end, or at each turning point; compression is positive, extension negative. In isotropic "
+        "compression it is a third of the volumetric strain. Strain control only.");
+  v.key("shear_strain", Turns{t.shear_strain}, plain().example("0.3"),
+        "Engineering shear strain at the end, or at each turning point. Simple shear under strain control only.");
+  v.key("axial_stress", Turns{t.axial_stress}, quantity("kPa").at_least(0).example("[400, 100, 800]"),
+        "Axial stress at the end, or at each turning point: effective, total in undrained tests. Stress control only.");
+  v.key("shear_stress", Turns{t.shear_stress}, quantity("kPa").example("40"),
+        "Shear stress at the end, or at each turning point. Simple shear under stress control only.");
+  v.key(
+      "suction", Turns{t.suction}, quantity("kPa").at_least(0).example("60"),
+      "Suction of the pore water: one value, which stays; in wetting the path, from the start on. 0 where not given.");
+  v.key("steps", t.steps, plain().at_least(1).at_most(1e6), "Steps of the test, shared out among its legs.");
+  v.key("set", t.set, plain().example("{ porosity = 0.4 }"),
+        "Keys of the material that have another value in this test.");
+}
 namespace {
 
 struct Subject : BlockFindings {

@@ -8,8 +8,68 @@
 #include <functional>
 
 #include "input/case/checks.hpp"
+#include "input/language/visitor.hpp"
 
 namespace talus::input {
+
+void describe(Visitor& v, RootBundle& b) {
+  v.key("model", b.model, plain().required().example(R"("fibre_bundle")"), "How the roots add up.");
+  v.key("diameters", b.diameters, quantity("mm").above(0).example("[0.5, 1, 2]"),
+        "Diameters of the classes of roots that cross a shear plane; the fibre bundle needs them.");
+  v.key("area_ratios", b.area_ratios, plain().above(0).below(1).required().example("[2e-4, 4e-4, 3e-4]"),
+        "Root area over soil area of each class at the ground.");
+  v.key("strengths", b.strengths, quantity("MPa").above(0).required().example("[40, 25, 15]"),
+        "Tensile strength of each class; thin roots are the stronger ones.");
+  v.key("orientation", b.orientation, plain().above(0).at_most(2),
+        "cos θ tan φ + sin θ of roots that are drawn to the angle θ in the shear zone, 1.0 to 1.3 in most soils.");
+}
+
+void describe(Visitor& v, Transpiration& t) {
+  Series rate{t.rate};
+  v.key("rate", rate, quantity("mm/day").at_least(0).required().example("4"),
+        "Potential transpiration per horizontal area of ground, or rows of time and rate.");
+  v.key("series", t.series, plain(), "How rows of time are joined.");
+  v.key("suctions", t.suctions, quantity("kPa").at_least(0),
+        "Feddes' reduction: nothing is drawn below the first suction (no air) and above the last (wilting), all "
+        "between the second and the third, and straight lines in between.");
+}
+
+void describe(Visitor& v, Roots& r) {
+  v.key("ground", r.ground, plain().required().example(R"("crest")"),
+        "The named line that the roots grow under: depth is the distance from it, normal to it.");
+  v.key("depth", r.depth, quantity("m").above(0).required().example("0.5"), "Below this there are none.");
+  v.key("profile", r.profile, plain(), "How content or cohesion change with depth.");
+  v.key("decay_depth", r.decay_depth,
+        quantity("m").above(0).needed_with("profile", r.profile, RootProfile::exponential).example("0.2"),
+        "Depth at which they have fallen to 37 %.");
+  ShareTable depths{r.depth_table}, along{r.along}, growth{r.growth}, decay{r.decay};
+  v.key("depth_table", depths,
+        quantity("m")
+            .at_least(0)
+            .needed_with("profile", r.profile, RootProfile::table)
+            .example("[[0, 1], [0.3, 0.6], [0.8, 0]]"),
+        "Depths and shares; constant beyond the ends.");
+  v.key("along", along, quantity("m").example("[[10, 0], [12, 1], [30, 1]]"),
+        "Shares over x, where the planting is not the same everywhere; constant beyond the ends. If not given, 1.");
+  PerCent<std::optional<double>> content{r.content};
+  v.key("content", content, quantity("%").at_least(0).below(100).example("0.88"),
+        "m_r at the ground, for rooted_cam_clay. A plain number is per cent. One of `content`, `cohesion` and "
+        "[roots.bundle] is needed, unless the plants only transpire.");
+  v.key("cohesion", r.cohesion, quantity("kPa").at_least(0).example("5"),
+        "c_r at the ground, for rooted_mohr_coulomb.");
+  v.key("age", r.age, quantity("year").at_least(0).example("3"), "Time since planting.");
+  v.key("growth", growth, quantity("year").at_least(0).example("[[0, 0], [2, 0.4], [10, 1]]"),
+        "Ages and the share of the roots that has grown by then.");
+  v.key("felled", r.felled, quantity("year").at_least(0).example("1"), "Time since the plants were felled.");
+  v.key("decay", decay, quantity("year").at_least(0).example("[[0, 1], [5, 0.2], [10, 0]]"),
+        "Times since felling and the share of the roots that still holds.");
+  v.optional_table(
+      "bundle", r.bundle,
+      "The roots that cross a shear plane, in the place of their cohesion; belongs to the [[roots]] before it.");
+  v.optional_table("transpiration", r.transpiration,
+                   "Water that the plants draw from the soil where their roots are; belongs to the [[roots]] before "
+                   "it. Without this block they draw none.");
+}
 namespace {
 
 using material::RootEffect;

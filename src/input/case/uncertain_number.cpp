@@ -5,51 +5,49 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <functional>
 #include <nlohmann/json.hpp>
-#include <type_traits>
 #include <vector>
 
 #include "base/error.hpp"
 #include "base/units.hpp"
 #include "input/case/material.hpp"
 #include "input/language/parse.hpp"
+#include "input/language/visitor.hpp"
 
 namespace talus::input {
 
 namespace {
 
-/// The visitor that calls `take` for each number of a material.
-template <class Take>
-class NumberVisitor {
+/// The visitor that calls `take` for each number of a material; `factor` is the unit of the number in SI.
+class NumberVisitor : public Visitor {
  public:
-  explicit NumberVisitor(Take& take, std::string prefix = "") : take_(take), prefix_(std::move(prefix)) {}
+  using Take = std::function<void(const std::string& path, Member number, const Spec& spec, double factor)>;
+  explicit NumberVisitor(const Take& take, std::string prefix = "") : take_(take), prefix_(std::move(prefix)) {}
 
-  template <class T>
-  void key(const std::string& name, T&& member, const Spec& spec, const char* /*meaning*/) {
-    using Value = std::remove_cvref_t<T>;
-    if constexpr (std::is_same_v<Value, double> || std::is_same_v<Value, std::optional<double>>)
-      take_(prefix_ + name, member, spec, spec.unit.empty() ? 1.0 : units::get_si_factor(spec.unit));
-    else if constexpr (std::is_same_v<Value, PerCent<double>> || std::is_same_v<Value, PerCent<std::optional<double>>>)
-      take_(prefix_ + name, member.value, spec, 1.0);
+ protected:
+  void visit_key(const std::string& name, Member member, const Spec& spec, const char* /*meaning*/) override {
+    if (member.type.get_number == nullptr) return;
+    const bool has_unit = !member.type.is_per_cent && !spec.unit.empty();
+    take_(prefix_ + name, member, spec, has_unit ? units::get_si_factor(spec.unit) : 1.0);
   }
-  void table(const std::string& name, auto&& block, const char* /*meaning*/) {
-    NumberVisitor inner(take_, prefix_ + name + ".");
-    describe(inner, block);
+  void visit_table(const std::string& name, const Blocks& block, const char* /*meaning*/) override {
+    visit_block(name, block, block.at);
   }
-  template <class T>
-  void optional_table(const std::string& name, std::optional<T>& block, const char* meaning) {
-    if (block) table(name, *block, meaning);
+  void visit_optional_table(const std::string& name, const Blocks& block, const char* /*meaning*/) override {
+    if (block.get_size(block.at) > 0) visit_block(name, block, block.get(block.at, 0));
   }
-  template <class T>
-  void tables(const std::string&, std::vector<T>&, int, const char*) {}
-  template <class T>
-  void named(const std::string&, std::map<std::string, T>&, const char*, int, const char*) {}
-  template <class T>
-  void entries(const std::string&, std::map<std::string, T>&, const char*, int, const Spec&, const char*) {}
+  void visit_tables(const std::string&, const Blocks&, int, const char*) override {}
+  void visit_named(const std::string&, const Blocks&, const char*, int, const char*) override {}
+  void visit_entries(const std::string&, const Entries&, const char*, int, const Spec&, const char*) override {}
 
  private:
-  Take& take_;
+  void visit_block(const std::string& name, const Blocks& blocks, void* block) {
+    NumberVisitor inner(take_, prefix_ + name + ".");
+    blocks.describe(inner, block);
+  }
+
+  const Take& take_;
   std::string prefix_;
 };
 
@@ -57,8 +55,9 @@ class NumberVisitor {
 
 std::vector<NumberKey> list_number_keys(const Material& material) {
   std::vector<NumberKey> list;
-  const auto take = [&](const std::string& path, const auto& member, const Spec& spec, double factor) {
-    list.push_back({path, spec, factor, std::optional<double>(member), !spec.condition || spec.condition->holds()});
+  const NumberVisitor::Take take = [&](const std::string& path, Member number, const Spec& spec, double factor) {
+    const std::optional<double> value = number.type.get_number(number.at);
+    list.push_back({path, spec, factor, value, !spec.condition || spec.condition->holds()});
   };
   Material copy = material;  // describe() takes mutable members
   NumberVisitor visitor(take);
@@ -74,9 +73,9 @@ std::optional<NumberKey> find_number_key(const Material& material, const std::st
 
 void set_number(Material& material, const std::string& path, double value) {
   bool found = false;
-  const auto take = [&](const std::string& name, auto& member, const Spec&, double) {
+  const NumberVisitor::Take take = [&](const std::string& name, Member number, const Spec&, double) {
     if (name != path) return;
-    member = value;
+    number.type.set_number(number.at, value);
     found = true;
   };
   NumberVisitor visitor(take);

@@ -9,8 +9,126 @@
 
 #include "input/case/checks.hpp"
 #include "input/case/soil_water_law.hpp"
+#include "input/language/visitor.hpp"
 
 namespace talus::input {
+
+void describe(Visitor& v, Water& w) {
+  v.key("density", w.density, quantity("kg/m3").above(0).usual(950, 1250, {{"g/cm3", 1e3}, {"kN/m3", 101.972}}),
+        "Density of the water at zero pressure.");
+  v.key("bulk_modulus", w.bulk_modulus, quantity("kPa").above(0).or_infinite(),
+        "Bulk modulus of the water. A softer one makes the time step longer; the undrained response suffers.");
+  v.key("viscosity", w.viscosity, quantity("Pa.s").above(0),
+        "Dynamic viscosity; it turns a permeability into a conductivity.");
+  v.key("drag_gravity", w.drag_gravity, quantity("m/s2").above(0),
+        "Acceleration of gravity at which conductivities were measured. In a centrifuge model it stays 9.81 when they "
+        "were measured at rest.");
+}
+
+void describe(Visitor& v, PoreWater& w) {
+  using R = RetentionCurve;
+  using K = ConductivityCurve;
+  v.key("retention", w.retention, plain().example(R"("van_genuchten")"), "How the saturation follows the suction s.");
+  v.key("relative_conductivity", w.relative_conductivity,
+        plain().allowed_unless("retention", w.retention, R::dry).example(R"("mualem")"),
+        "How the conductivity follows the suction s or the saturation X.");
+  v.key("minimum_saturation", w.minimum_saturation,
+        plain()
+            .at_least(0)
+            .below(1)
+            .allowed_with("retention", w.retention, R::van_genuchten)
+            .or_with("retention", w.retention, R::linear)
+            .or_with("retention", w.retention, R::exponential)
+            .example("0.15"),
+        "Saturation S_min of the driest soil. A table has its own.");
+  v.key("maximum_saturation", w.maximum_saturation,
+        plain()
+            .above(0)
+            .at_most(1)
+            .allowed_with("retention", w.retention, R::saturated)
+            .or_with("retention", w.retention, R::van_genuchten)
+            .or_with("retention", w.retention, R::linear)
+            .or_with("retention", w.retention, R::exponential),
+        "Saturation S_max below the water table. A table has its own.");
+  v.key("reference_pressure", w.reference_pressure,
+        quantity("kPa").above(0).needed_with("retention", w.retention, R::van_genuchten).example("6.13"),
+        "p_ref of van Genuchten's curve.");
+  v.key("lambda", w.lambda,
+        plain()
+            .above(0)
+            .below(1)
+            .needed_with("retention", w.retention, R::van_genuchten)
+            .or_with("relative_conductivity", w.relative_conductivity, K::mualem)
+            .example("0.27"),
+        "λ of van Genuchten's curve (called m by others) and of Mualem's conductivity.");
+  v.key("dry_suction", w.dry_suction,
+        quantity("kPa").above(0).needed_with("retention", w.retention, R::linear).example("100"),
+        "Suction at which the straight line reaches S_min.");
+  v.key("decay", w.decay,
+        quantity("kPa-1")
+            .above(0)
+            .needed_with("retention", w.retention, R::exponential)
+            .or_with("relative_conductivity", w.relative_conductivity, K::exponential)
+            .example("0.1"),
+        "α of the exponential laws: one over the suction at which they have fallen to 37 %. Tables of others give it "
+        "per metre of head; divide that by the unit weight of water.");
+  SuctionCurve retention{w.retention_table}, conductivity{w.conductivity_table};
+  v.key("retention_table", retention,
+        quantity("kPa")
+            .at_least(0)
+            .needed_with("retention", w.retention, R::table)
+            .example(R"([[0, 1], ["10 kPa", 0.8], [100, 0.3]])"),
+        "Suctions and saturations; constant beyond the ends.");
+  v.key("conductivity", w.conductivity,
+        quantity("m/s")
+            .above(0)
+            .usual(1e-13, 0.1, {{"cm/s", 0.01}, {"m/day", 1 / 86400.0}, {"mm/h", 1e-3 / 3600}})
+            .allowed_unless("retention", w.retention, R::dry)
+            .example("1e-5"),
+        "Conductivity of the saturated soil. Either this or `permeability` is needed.");
+  v.key("permeability", w.permeability,
+        quantity("m2")
+            .above(0)
+            .usual(1e-20, 1e-8, {{"cm2", 1e-4}})
+            .allowed_unless("retention", w.retention, R::dry)
+            .example("6e-11"),
+        "Intrinsic permeability instead; the conductivity is density · gravity · permeability/viscosity.");
+  v.key("compressibility", w.compressibility,
+        quantity("kPa-1")
+            .at_least(0)
+            .usual_or_zero(1e-6, 1e-1, {{"MPa-1", 1e-3}})
+            .allowed_unless("retention", w.retention, R::dry)
+            .example("1e-4"),
+        "Coefficient of volume compressibility m_v of the skeleton: what saturated soil at rest stores under a change "
+        "of its pressure, in seepage over time (initial.season, [timeline]). Soil that moves has that of its model.");
+  v.key("measure", w.measure,
+        plain()
+            .allowed_with("relative_conductivity", w.relative_conductivity, K::mualem)
+            .or_with("relative_conductivity", w.relative_conductivity, K::hillel),
+        "The saturation X of the relative conductivity.");
+  v.key("exponent", w.exponent,
+        plain().at_least(0).needed_with("relative_conductivity", w.relative_conductivity, K::hillel).example("3"),
+        "r of Hillel's conductivity.");
+  v.key("air_entry", w.air_entry,
+        quantity("kPa")
+            .at_least(0)
+            .allowed_with("relative_conductivity", w.relative_conductivity, K::mualem)
+            .example("2"),
+        "Mualem's conductivity falls from this suction on only. For λ < 1/2 it would fall with infinite slope from "
+        "zero, which stops seepage over time: there (initial.season, [timeline]) 0.2 kPa (2 cm of water) are used "
+        "where no value is given (Vogel et al. 2001). 0: none.");
+  v.key("conductivity_table", conductivity,
+        quantity("kPa")
+            .at_least(0)
+            .needed_with("relative_conductivity", w.relative_conductivity, K::table)
+            .example(R"([[0, 1], ["10 kPa", 0.1], [100, 1e-4]])"),
+        "Suctions and relative conductivities, which lie above 0; constant beyond the ends.");
+  v.key("chi", w.chi, plain().allowed_unless("retention", w.retention, R::dry),
+        "χ of Bishop's effective stress: this share of the pore pressure acts between the grains.");
+  v.key("chi_air_entry", w.chi_air_entry,
+        quantity("kPa").above(0).needed_with("chi", w.chi, BishopChi::khalili_khabbaz).example("5"),
+        "Air entry s_e of Khalili and Khabbaz.");
+}
 namespace {
 
 /// Upper limit of K_w [Pa], a thousand times that of water: larger values only reduce the time step.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// Conversion of each C++ type of a key to and from TOML, JSON and JSON Schema. Each type has a specialisation of Codec:
+// Conversion of each C++ type of a key to and from TOML, JSON and JSON Schema. Each type has a specialisation of Codec,
+// except enumerations, their lists and optional values, which one conversion serves (visitor.hpp):
 //   decode  reads a TOML node into the value (SI units, radians); returns false and adds a finding if it cannot
 //   encode  writes the value as JSON in the unit of the manual
 //   name    describes the notation: "number", "number [kPa] or text with unit"
@@ -16,7 +17,7 @@
 
 #include "input/language/findings.hpp"
 #include "input/language/forms.hpp"
-#include "input/language/spec.hpp"
+#include "input/language/visitor.hpp"
 
 namespace talus::input {
 
@@ -82,16 +83,6 @@ struct Codec<double> {
   static nlohmann::json schema(const Spec& spec) { return write_number_schema(spec); }
 };
 
-template <class T>
-struct Codec<std::optional<T>> {
-  static bool decode(const Decoding& in, std::optional<T>& out) { return Codec<T>::decode(in, out.emplace()); }
-  static nlohmann::json encode(const std::optional<T>& value, const Spec& spec) {
-    return value ? Codec<T>::encode(*value, spec) : nlohmann::json();
-  }
-  static std::string name(const Spec& spec) { return Codec<T>::name(spec); }
-  static nlohmann::json schema(const Spec& spec) { return Codec<T>::schema(spec); }
-};
-
 template <>
 struct Codec<int> {
   static bool decode(const Decoding& in, int& out);
@@ -114,26 +105,6 @@ struct Codec<std::string> {
   static nlohmann::json encode(const std::string& value, const Spec&) { return value; }
   static std::string name(const Spec&) { return "text"; }
   static nlohmann::json schema(const Spec&) { return {{"type", "string"}}; }
-};
-
-/// An enumeration, written as one of its words.
-template <class E>
-struct Codec {
-  static_assert(std::is_enum_v<E>, "a type that can be read needs a specialisation of Codec");
-  static std::vector<std::string> words() {
-    std::vector<std::string> list;
-    for (const auto& choice : choices<E>) list.emplace_back(choice.word);
-    return list;
-  }
-  static bool decode(const Decoding& in, E& out) {
-    std::size_t index = 0;
-    if (!decode_word(in, words(), index)) return false;
-    out = choices<E>[index].value;
-    return true;
-  }
-  static nlohmann::json encode(E value, const Spec&) { return get_word(value); }
-  static std::string name(const Spec&) { return "word"; }
-  static nlohmann::json schema(const Spec&) { return {{"enum", words()}}; }
 };
 
 /// A vector of two components (the third is zero) or three.

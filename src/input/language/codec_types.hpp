@@ -10,36 +10,6 @@ namespace talus::input {
 
 bool decode_words(const Decoding& in, const std::vector<std::string>& words, std::vector<std::size_t>& out);
 
-/// A list of words of an enumeration.
-template <class E>
-requires std::is_enum_v<E>
-struct Codec<std::vector<E>> {
-  static bool decode(const Decoding& in, std::vector<E>& out) {
-    std::vector<std::size_t> indices;
-    if (!decode_words(in, Codec<E>::words(), indices)) return false;
-    out.clear();
-    for (const std::size_t i : indices) out.push_back(choices<E>[i].value);
-    return true;
-  }
-  static nlohmann::json encode(const std::vector<E>& value, const Spec& spec) {
-    return encode_list(value, [&](E word) { return Codec<E>::encode(word, spec); });
-  }
-  static std::string name(const Spec&) { return "list of words"; }
-  static nlohmann::json schema(const Spec& spec) { return write_array_schema(Codec<E>::schema(spec), 0, -1); }
-};
-
-/// The enumeration of a key of type T: T itself, or the element type of a list T.
-template <class T>
-struct WordType {
-  using Type = T;
-};
-template <class E>
-struct WordType<std::vector<E>> {
-  using Type = E;
-};
-template <class T>
-using WordOf = typename WordType<T>::Type;
-
 template <>
 struct Codec<std::vector<std::string>> {
   static bool decode(const Decoding& in, std::vector<std::string>& out);

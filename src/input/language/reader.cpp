@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "base/text.hpp"
+#include "input/language/codec.hpp"
 
 namespace talus::input {
 namespace {
@@ -28,6 +29,57 @@ std::string join(const std::vector<std::string>& words) {
 
 Reader::Reader(const toml::table& root, Findings& findings) : findings_(findings) {
   scopes_.push_back({&root, "", "", "", false, {}, {}});
+}
+
+void Reader::visit_key(const std::string& name, Member member, const Spec& spec, const char* /*meaning*/) {
+  if (const toml::node* node = find_key(name, spec)) member.decode({spec, name, findings_, *node, write_path(name)});
+}
+
+void Reader::visit_table(const std::string& name, const Blocks& block, const char* /*meaning*/) {
+  if (is_left_out(name)) return;
+  enter(name, find_table(name), write_name(name), false);
+  block.describe(*this, block.at);
+  leave();
+}
+
+void Reader::visit_optional_table(const std::string& name, const Blocks& block, const char* /*meaning*/) {
+  if (!is_given(name)) return;
+  enter(name, find_table(name), write_name(name), false);
+  block.resize(block.at, 1);
+  block.describe(*this, block.get(block.at, 0));
+  leave();
+}
+
+void Reader::visit_tables(const std::string& name, const Blocks& blocks, int /*samples*/, const char* /*meaning*/) {
+  const std::vector<const toml::table*> list = find_tables(name);
+  blocks.resize(blocks.at, list.size());
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    enter(name + "." + std::to_string(i), list[i], write_name(name), true);
+    blocks.describe(*this, blocks.get(blocks.at, i));
+    leave();
+  }
+}
+
+void Reader::visit_named(const std::string& name, const Blocks& blocks, const char* /*sample*/, int /*samples*/,
+                         const char* /*meaning*/) {
+  for (const std::string& label : enter_names(name)) {
+    enter(label, find_table(label), write_name(label), false);
+    blocks.describe(*this, blocks.find(blocks.at, label));
+    leave();
+  }
+  scopes_.pop_back();
+}
+
+void Reader::visit_entries(const std::string& name, const Entries& values, const char* /*sample*/, int /*samples*/,
+                           const Spec& spec, const char* /*meaning*/) {
+  for (const std::string& label : enter_names(name)) {
+    const std::shared_ptr<void> value = values.make();
+    const toml::node* node = find_key(label, spec);
+    if (node == nullptr) continue;
+    if (Member{value.get(), values.type}.decode({spec, label, findings_, *node, write_path(label)}))
+      values.set(values.at, label, value.get());
+  }
+  scopes_.pop_back();
 }
 
 std::string Reader::write_path(const std::string& name) const {

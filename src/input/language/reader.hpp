@@ -4,28 +4,18 @@
 
 #include <toml++/toml.h>
 
-#include <map>
-#include <optional>
+#include <set>
 #include <string>
-#include <type_traits>
 #include <vector>
 
-#include "input/language/codec.hpp"
 #include "input/language/findings.hpp"
+#include "input/language/visitor.hpp"
 
 namespace talus::input {
 
-class Reader {
+class Reader : public Visitor {
  public:
   Reader(const toml::table& root, Findings& findings);
-  Reader(const Reader&) = delete;
-  Reader& operator=(const Reader&) = delete;
-
-  template <class T>
-  void key(const char* name, T&& member, const Spec& spec, const char* /*meaning*/) {
-    if (const toml::node* node = find_key(name, spec))
-      Codec<std::remove_cvref_t<T>>::decode({spec, name, findings_, *node, write_path(name)}, member);
-  }
 
   /// Sets the blocks at the top level that may be absent.
   void leave_out(const std::set<std::string>& blocks) { left_out_ = blocks; }
@@ -33,57 +23,18 @@ class Reader {
   /// Sets the methods of the case: a key that none of them needs is not required.
   void ask_methods(const std::set<std::string>& words) { methods_ = words; }
 
-  void table(const char* name, auto&& block, const char* /*meaning*/) {
-    if (is_left_out(name)) return;
-    enter(name, find_table(name), write_name(name), false);
-    describe(*this, block);
-    leave();
-  }
-
-  template <class T>
-  void optional_table(const char* name, std::optional<T>& block, const char* /*meaning*/) {
-    if (!is_given(name)) return;
-    enter(name, find_table(name), write_name(name), false);
-    describe(*this, block.emplace());
-    leave();
-  }
-
-  template <class T>
-  void tables(const char* name, std::vector<T>& blocks, int /*samples*/, const char* /*meaning*/) {
-    const std::vector<const toml::table*> list = find_tables(name);
-    blocks.resize(list.size());
-    for (std::size_t i = 0; i < list.size(); ++i) {
-      enter(std::string(name) + "." + std::to_string(i), list[i], write_name(name), true);
-      describe(*this, blocks[i]);
-      leave();
-    }
-  }
-
-  template <class T>
-  void named(const char* name, std::map<std::string, T>& blocks, const char* /*sample*/, int /*samples*/,
-             const char* /*meaning*/) {
-    for (const std::string& label : enter_names(name)) {
-      enter(label, find_table(label), write_name(label), false);
-      describe(*this, blocks[label]);
-      leave();
-    }
-    scopes_.pop_back();
-  }
-
-  template <class T>
-  void entries(const char* name, std::map<std::string, T>& values, const char* /*sample*/, int /*samples*/,
-               const Spec& spec, const char* /*meaning*/) {
-    for (const std::string& label : enter_names(name)) {
-      T value{};
-      const toml::node* node = find_key(label, spec);
-      if (node != nullptr && Codec<T>::decode({spec, label, findings_, *node, write_path(label)}, value))
-        values[label] = value;
-    }
-    scopes_.pop_back();
-  }
-
   /// Reports undeclared keys at the top level.
   void finish() { leave(); }
+
+ protected:
+  void visit_key(const std::string& name, Member member, const Spec& spec, const char* meaning) override;
+  void visit_table(const std::string& name, const Blocks& block, const char* meaning) override;
+  void visit_optional_table(const std::string& name, const Blocks& block, const char* meaning) override;
+  void visit_tables(const std::string& name, const Blocks& blocks, int samples, const char* meaning) override;
+  void visit_named(const std::string& name, const Blocks& blocks, const char* sample, int samples,
+                   const char* meaning) override;
+  void visit_entries(const std::string& name, const Entries& values, const char* sample, int samples, const Spec& spec,
+                     const char* meaning) override;
 
  private:
   /// A key that a table lacks.

@@ -11,6 +11,8 @@
 
 namespace talus::input {
 
+class Visitor;  // visitor.hpp
+
 /// One word of a choice and its meaning.
 template <class E>
 struct Choice {
