@@ -10,10 +10,9 @@
 #include <type_traits>
 #include <vector>
 
-#include "base/lane.hpp"
 #include "base/shown_units.hpp"
 #include "input/language/findings.hpp"
-#include "input/language/visitor.hpp"
+#include "input/language/spec.hpp"
 #include "material/properties.hpp"
 
 namespace talus::material {

@@ -9,7 +9,6 @@
 #include <type_traits>
 #include <vector>
 
-#include "input/language/forms.hpp"
 #include "material/cam_clay_return.hpp"
 #include "material/linear_elastic.hpp"
 
@@ -24,78 +23,6 @@ struct CamClayParameters {
   double smallest_pressure = 1e3;   ///< p'_min in K = (1+e) max(p', p'_min)/κ [Pa]
   double strength_factor = 1;       ///< divides tan φ of the critical state [-]
 };
-
-/// Cam-clay parameters of the case; Poisson's ratio is in PoissonInput.
-struct CamClayInput {
-  double compression = 0, swelling = 0, critical_state_slope = 0, suction_hardening = 0, smallest_pressure = 1e3;
-};
-inline void describe(input::Visitor& v, CamClayInput& in, const Users& users) {
-  v.key("lambda", in.compression, users.need(plain().above(0)).example("0.089"),
-        "λ, slope of the normal-compression line in the plane of void ratio and ln p'; the compression index over "
-        "2.303.");
-  v.key("kappa", in.swelling, users.need(plain().above(0)).example("0.022"),
-        "κ, slope of the swelling lines in that plane; less than λ. The bulk modulus is (1+e)p'/κ.");
-  v.key("critical_state_slope", in.critical_state_slope,
-        users.need(plain().above(0).below(3)).usual(0.4, 2).example("1.2"),
-        "M₀, slope q/p' of the critical-state line of the soil without roots; 6 sin φ'/(3 - sin φ') in compression.");
-  v.key("suction_hardening", in.suction_hardening, users.allow(plain().at_least(0)),
-        "b: p'c is exp(b(1 - S)) times that of the saturated soil, S being the degree of saturation; 0: suction does "
-        "not harden the soil.");
-  v.key("smallest_pressure", in.smallest_pressure, users.allow(quantity("kPa").above(0)),
-        "Floor of p' in the bulk modulus (1+e)p'/κ, which would vanish at a free surface.");
-}
-
-/// Initial preconsolidation; exactly one of the two is given.
-struct Preconsolidation {
-  std::optional<double> preconsolidation;  ///< p'_c0 of the saturated soil without roots [Pa]
-  std::optional<double>
-      preconsolidation_ratio;  ///< R_0, ratio to the mean effective stress after initial.equilibrium [-]
-
-  void check(const SoilFindings& findings, const char* title) const;
-};
-inline void describe(input::Visitor& v, Preconsolidation& in, const Users& users) {
-  v.key("preconsolidation", in.preconsolidation, users.allow(quantity("kPa").above(0)).example("125"),
-        "p'c₀, preconsolidation pressure of the saturated soil without roots. Where the stress at the start needs a "
-        "larger one, the soil is normally consolidated there. Either this or `preconsolidation_ratio` is needed.");
-  v.key("preconsolidation_ratio", in.preconsolidation_ratio, users.allow(plain().at_least(1)).example("3"),
-        "R₀ instead: p'c₀ over the mean effective stress at the end of the stage that initial.equilibrium names. Until "
-        "then the soil is elastic.");
-}
-
-/// Parameters of the rooted soil. Root contents are mass of roots over dry mass of soil in per cent: (4.4), (4.6) and
-/// (4.10) in the units of the published runs.
-struct RootParameters {
-  double hardening = 0;                ///< R_p of (4.6), (4.10) [1/%]
-  double strength = 0;                 ///< R_a of (4.4) [1/%]
-  std::optional<double> activation{};  ///< R_p m_r of (4.10) as one number [-]; hardening × content if not given
-  double breaking_strain =
-      std::numeric_limits<double>::infinity();  ///< ε_r^peak, activation strain at which roots begin to break [-]
-  double breaking_range = 0.1;                  ///< range of ε_r beyond the peak over which roots break, linearly [-]
-  double residual_share = 0;                    ///< fraction of the root contribution that remains after breakage [-]
-  double root_content = 0;                      ///< m_r^ini where no [[roots]] sets it [%]
-
-  void check(const SoilFindings& findings) const;
-};
-inline void describe(input::Visitor& v, RootParameters& in, const Users& users) {
-  input::PerCent<double> content{in.root_content};
-  v.key("root_content", content, users.allow(quantity("%").at_least(0).below(100)).example("0.88"),
-        "m_r, dry root mass over dry soil mass, where no [[roots]] says otherwise. A plain number is per cent: 0.88, "
-        "not 0.0088.");
-  v.key("root_hardening", in.hardening, users.need(plain().at_least(0)).example("0.28"),
-        "R_p, per per cent of root content: at the start p'c is exp(R_p m_r) times that of the soil without roots, and "
-        "grows as the roots are activated.");
-  v.key("root_strength", in.strength, users.need(plain().at_least(0)).example("0.18"),
-        "R_a, per per cent of root content: the critical-state slope is M₀ + R_a m_r.");
-  v.key("root_activation", in.activation, users.allow(plain().at_least(0)).example("0.5"),
-        "How fast p'c grows with the activation strain, as one number in the place of R_p m_r; 0: not at all. If not "
-        "given, R_p m_r.");
-  v.key("root_breaking_strain", in.breaking_strain, users.allow(plain().above(0).or_infinite()).example("0.3"),
-        "Activation strain (volumetric and deviatoric strain, added up) at which roots begin to break; inf: never.");
-  v.key("root_breaking_range", in.breaking_range, users.allow(plain().above(0)),
-        "Further activation strain within which they break, one after the other.");
-  v.key("root_residual_share", in.residual_share, users.allow(plain().at_least(0).at_most(1)),
-        "Share of the roots that holds for ever.");
-}
 
 /// State variables: 0 deviatoric plastic strain [-]; 1 preconsolidation pressure p'_c without suction and roots [Pa],
 /// positive; 2 void ratio e [-]; rooted also 3 root content m_r [%]; 4 exponent of the contribution of intact roots to

@@ -45,15 +45,6 @@ struct StrengthPairs {
 
 using CurvedEnvelope = std::variant<HoekBrownMass, PowerEnvelope, StrengthPairs>;
 
-struct FlowRatio {
-  double dilatancy_ratio = 0;  ///< tan ψ over tan φ of the tangent [-]
-};
-inline void describe(input::Visitor& v, FlowRatio& in, const Users& users) {
-  v.key("dilatancy_ratio", in.dilatancy_ratio,
-        users.need(plain().at_least(0).at_most(1)).by_methods({"fem", "mpm"}).example("0"),
-        "tan ψ of the plastic flow over tan φ of the tangent to the envelope: 0 at constant volume, 1 associated.");
-}
-
 /// State variables as Mohr–Coulomb's.
 class CurvedLaw : public PointLaw<CurvedLaw> {
  public:

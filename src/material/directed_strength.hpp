@@ -10,18 +10,6 @@
 
 namespace talus::material {
 
-struct AdpInput {
-  double direct_ratio = 1;   ///< s_uD/s_uA [-]
-  double passive_ratio = 1;  ///< s_uP/s_uA [-]
-};
-inline void describe(input::Visitor& v, AdpInput& in, const Users& users) {
-  v.key("direct_ratio", in.direct_ratio, users.need(plain().above(0).at_most(1.5)).usual(0.4, 1).example("0.63"),
-        "Strength in direct simple shear over the active one, s_uD/s_uA, which `undrained_strength` or the profile "
-        "gives.");
-  v.key("passive_ratio", in.passive_ratio, users.need(plain().above(0).at_most(1.5)).usual(0.2, 1).example("0.35"),
-        "Passive strength over the active one, s_uP/s_uA.");
-}
-
 /// s_u = s_uD + (s_uA - s_uD) sin 2α for a base that dips with the sliding by α, s_uD + (s_uP - s_uD) sin 2|α| for one
 /// that rises, constant beyond 45°.
 struct Adp : SliceLaw<Adp> {
@@ -45,22 +33,6 @@ struct Adp : SliceLaw<Adp> {
   static bool is_total_stress(const Input&) { return true; }
 };
 
-struct AnisotropicInput {
-  std::vector<double> base_inclinations;   ///< increasing [rad]
-  std::vector<double> inclined_cohesions;  ///< [Pa]
-  std::vector<double> inclined_frictions;  ///< [rad]
-};
-inline void describe(input::Visitor& v, AnisotropicInput& in, const Users& users) {
-  v.key("base_inclinations", in.base_inclinations,
-        users.need(quantity("deg").at_least(-90).at_most(90)).example("[-90, -20, 20, 90]"),
-        "Inclinations of a plane to the horizontal, increasing, positive where it rises with x.");
-  v.key("inclined_cohesions", in.inclined_cohesions, users.need(quantity("kPa").at_least(0)).example("[20, 5, 5, 20]"),
-        "Cohesions of planes with these inclinations; linear between, constant beyond.");
-  v.key("inclined_frictions", in.inclined_frictions,
-        users.need(quantity("deg").at_least(0).below(90)).example("[30, 22, 22, 30]"),
-        "Friction angles of them; their tangents are linear between.");
-}
-
 struct Anisotropic : SliceLaw<Anisotropic> {
   static constexpr Traits traits{
       .word = "anisotropic",
@@ -75,34 +47,6 @@ struct Anisotropic : SliceLaw<Anisotropic> {
   static void check(const Input& in, const SoilFindings& findings);
   static StrengthLaw make_strength(const Input& in);
 };
-
-struct BeddingInput {
-  double bedding_angle = 0;                  ///< [rad]
-  double bedding_cohesion = 0;               ///< [Pa]
-  double bedding_friction = 0;               ///< [rad]
-  double bedding_range = 0;                  ///< A [rad]
-  std::optional<double> bedding_transition;  ///< B [rad]
-  double bedding_dilatancy = 0;              ///< [rad]
-};
-inline void describe(input::Visitor& v, BeddingInput& in, const Users& users) {
-  v.key("bedding_angle", in.bedding_angle, users.need(quantity("deg").at_least(-90).at_most(90)).example("25"),
-        "Inclination of the bedding to the horizontal, positive where it rises with x.");
-  v.key("bedding_cohesion", in.bedding_cohesion,
-        users.need(quantity("kPa").at_least(0)).usual_or_zero(0.01, 500).example("5"), "Cohesion along the bedding.");
-  v.key("bedding_friction", in.bedding_friction,
-        users.need(quantity("deg").at_least(0).below(90)).usual_or_zero(5, 50).example("20"),
-        "Friction angle along the bedding.");
-  v.key(
-      "bedding_range", in.bedding_range,
-      users.need(quantity("deg").at_least(0).at_most(45)).by_methods({"lem"}).example("5"),
-      "LEM: planes within this angle of the bedding have its strength. A search meets a range, but an exact direction "
-      "by chance only; with a wider range the factor is lower.");
-  v.key("bedding_transition", in.bedding_transition, users.allow(quantity("deg").at_least(0).at_most(90)).example("15"),
-        "Planes beyond this angle have the strength of the soil itself, and c and tan φ are linear between; if not "
-        "given, `bedding_range`.");
-  v.key("bedding_dilatancy", in.bedding_dilatancy, users.allow(quantity("deg").at_least(0).below(90)).example("0"),
-        "Dilatancy angle of sliding along the bedding in FEM and MPM, at most `bedding_friction`.");
-}
 
 /// Mohr–Coulomb soil with one family of planes of another strength: the stress returns to the surface of the soil and
 /// to that of the planes in turn until neither is exceeded. State variables are Mohr–Coulomb's.

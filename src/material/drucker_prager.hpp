@@ -14,33 +14,6 @@
 
 namespace talus::material {
 
-/// Meridian on which cone and pyramid agree, or the state of plane strain at failure.
-enum class ConeMatch { plane_strain, compression, extension, inscribed };
-
-}  // namespace talus::material
-
-namespace talus::input {
-
-template <>
-inline constexpr auto choices<material::ConeMatch> = std::array{
-    Choice{material::ConeMatch::plane_strain, "plane_strain", "in plane strain at failure, with the given ψ"},
-    Choice{material::ConeMatch::compression, "compression", "in triaxial compression: around the pyramid"},
-    Choice{material::ConeMatch::extension, "extension", "in triaxial extension"},
-    Choice{material::ConeMatch::inscribed, "inscribed", "the largest cone within the pyramid"},
-};
-
-}  // namespace talus::input
-
-namespace talus::material {
-
-struct DruckerPragerInput {
-  ConeMatch cone = ConeMatch::plane_strain;
-};
-inline void describe(input::Visitor& v, DruckerPragerInput& in, const Users& users) {
-  v.key("cone", in.cone, users.need(plain()).example(R"("plane_strain")"),
-        "Where the cone of Drucker–Prager has the strength that c and φ give Mohr–Coulomb's pyramid.");
-}
-
 /// Coefficients of the cone and of its potential [-].
 struct DruckerPragerCone {
   double slope = 0, offset = 0, dilation = 0;  ///< η, ξ, η_ψ

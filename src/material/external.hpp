@@ -57,33 +57,6 @@ class Umat {
   bool is_lost_ = false;
 };
 
-struct ExternalParameters {
-  std::string library;                 ///< path of the shared library, as given
-  std::string symbol = "umat_";        ///< name of the subroutine in it
-  std::string material;                ///< CMNAME
-  std::vector<double> constants;       ///< PROPS
-  int states = 0;                      ///< NSTATV, at most External::most_states
-  std::vector<double> initial_states;  ///< zero if not given
-  double constrained_modulus = 0;      ///< E_c for the critical time step [Pa]
-  std::string library_file;            ///< resolved path of the library; empty: as given
-
-  const std::string& find_library() const { return library_file.empty() ? library : library_file; }
-};
-inline void describe(input::Visitor& v, ExternalParameters& in, const Users& users) {
-  v.key("library", in.library, users.need(plain()).example(R"("model.so")"),
-        "The shared library that holds the UMAT; its path is relative to the case file.");
-  v.key("symbol", in.symbol, users.allow(plain()),
-        "Name of the subroutine in it; Fortran compilers call UMAT \"umat_\".");
-  v.key("constants", in.constants, users.allow(plain()).example("[45e6, 0.3]"),
-        "PROPS, the constants that the UMAT expects, in SI units (stress in Pa).");
-  v.key("states", in.states, users.allow(plain().at_least(0).at_most(20)),
-        "NSTATV, how many state variables each point has.");
-  v.key("initial_states", in.initial_states, users.allow(plain()).example("[125e3]"),
-        "STATEV at the start; zero where not given.");
-  v.key("constrained_modulus", in.constrained_modulus, users.need(quantity("kPa").above(0)).example("60000"),
-        "The largest stiffness in one-dimensional compression that the UMAT can have; it sets the time step.");
-}
-
 /// A call of a UMAT without a usable result.
 struct LawFailure {
   int point = -1;      ///< -1: unknown

@@ -10,26 +10,6 @@
 
 namespace talus::material {
 
-struct HoekBrownInput {
-  double intact_strength = 0;  ///< σ_ci [Pa]
-  double gsi = 0;              ///< [-]
-  double intact_constant = 0;  ///< m_i [-]
-  double disturbance = 0;      ///< D [-]
-};
-inline void describe(input::Visitor& v, HoekBrownInput& in, const Users& users) {
-  v.key("intact_strength", in.intact_strength,
-        users.need(quantity("MPa").above(0))
-            .usual(1, 300, {{"kPa", 1e-3}, {"Pa", 1e-6}, {"psi", 6.894757e-3}})
-            .example("30"),
-        "σ_ci, uniaxial compressive strength of the intact rock.");
-  v.key("gsi", in.gsi, users.need(plain().above(0).at_most(100)).usual(5, 90).example("45"),
-        "Geological Strength Index of the rock mass.");
-  v.key("intact_constant", in.intact_constant, users.need(plain().above(0)).usual(2, 35).example("10"),
-        "m_i of the intact rock.");
-  v.key("disturbance", in.disturbance, users.allow(plain().at_least(0).at_most(1)).example("0.7"),
-        "D, disturbance by blasting and relief, from 0 (none) to 1.");
-}
-
 HoekBrownMass make_rock_mass(const HoekBrownInput& in);
 
 struct HoekBrown : CurvedSoil<HoekBrown> {
@@ -49,14 +29,6 @@ struct HoekBrown : CurvedSoil<HoekBrown> {
   static HoekBrownMass make_envelope(const Input& in) { return make_rock_mass(in.get<HoekBrownInput>()); }
   explicit HoekBrown(const CurvedLaw& law) : CurvedSoil(law) {}
 };
-
-struct ResidualIndex {
-  double residual_gsi = 0;  ///< [-]
-};
-inline void describe(input::Visitor& v, ResidualIndex& in, const Users& users) {
-  v.key("residual_gsi", in.residual_gsi, users.need(plain().above(0).at_most(100)).usual(5, 40).example("22"),
-        "Geological Strength Index after softening, at most `gsi` (Cai et al. 2007).");
-}
 
 /// Rock whose GSI falls from a peak to a residual value.
 class SofteningHoekBrown : public SofteningLaw<SofteningHoekBrown> {

@@ -3,6 +3,25 @@
 
 namespace talus::material {
 
+const Traits& get_traits(Model model) {
+  return Laws::traits[static_cast<std::size_t>(model)];
+}
+
+std::string list_sliceable() {
+  return list_words([](const Traits& t) { return t.serves_slices && !t.only_slices && t.strength == Strength::known; });
+}
+
+bool needs_block(Model model, int place) {
+  bool answer = false;
+  Laws::visit(model, [&]<class L>() {
+    [&]<class... Block>(const Numbers<Block...>*) {
+      const std::array needed{L::Input::template has<Block>...};
+      answer = needed[static_cast<std::size_t>(place)];
+    }(static_cast<const SoilNumbers*>(nullptr));
+  });
+  return answer;
+}
+
 std::string list_words(bool (*holds)(const Traits&), const char* last) {
   std::vector<std::string> words;
   for (const Traits& t : Laws::traits)

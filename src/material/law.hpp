@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The list of constitutive laws and the functions on a law of unknown type. A new law needs its header and one entry in
-// `Law`; all other code reads its traits.
+// The constitutive laws of the list in soil.hpp, and the functions on a law of unknown type.
 
 #include <algorithm>
 #include <array>
@@ -19,13 +18,10 @@
 #include "material/rooted_mohr_coulomb.hpp"
 #include "material/shansep.hpp"
 #include "material/softening.hpp"
+#include "material/soil.hpp"
 #include "material/tresca.hpp"
 
 namespace talus::material {
-
-using Law = std::variant<MohrCoulomb, RootedMohrCoulomb, SofteningMohrCoulomb, DruckerPrager, Tresca, Shansep, Adp,
-                         Anisotropic, Bedding, PowerCurve, StrengthTable, HoekBrown, SofteningHoekBrown, BartonBandis,
-                         ModifiedCamClay, RootedCamClay, LinearElastic, NoStrength, External>;
 
 /// Returns the law as the class whose update a step calls: laws may share it.
 template <class L>
@@ -45,51 +41,24 @@ struct OfLaws<std::variant<L...>> {
   static constexpr std::array<Traits, sizeof...(L)> traits{L::traits...};
   static constexpr int max_state_size = std::max({L::state_size...});
 
-  /// Returns the model of a law.
-  template <class Wanted>
-  static constexpr Model find_model() {
-    int place = 0;
-    const bool found = ((std::is_same_v<L, Wanted> || (++place, false)) || ...);
-    return Model(found ? place : -1);
-  }
   /// Returns the models whose law needs a block, `now` being the model of the material.
   template <class Block>
   static Users list_users(Model now) {
     Users users;
     const auto add = [&]<class One>() {
       if constexpr (One::Input::template has<Block>)
-        users.models.push_back({"model", '"' + std::string(One::traits.word) + '"', find_model<One>() == now});
+        users.models.push_back({"model", '"' + std::string(One::traits.word) + '"', model_of<One> == now});
     };
     (add.template operator()<L>(), ...);
     return users;
   }
   /// Calls work.template operator()<L>() for the law of a model.
   static void visit(Model model, auto&& work) {
-    static_cast<void>(((find_model<L>() == model ? (work.template operator()<L>(), true) : false) || ...));
+    static_cast<void>(((model_of<L> == model ? (work.template operator()<L>(), true) : false) || ...));
   }
 };
 using Laws = OfLaws<Law>;
-using SoilNumbers = Laws::Numbers;
-
-template <class L>
-inline constexpr Model model_of = Laws::find_model<L>();
-inline const Traits& get_traits(Model model) {
-  return Laws::traits[static_cast<std::size_t>(model)];
-}
-/// Returns true if the law of `model` needs a block of input.
-template <class Block>
-bool needs(Model model) {
-  bool answer = false;
-  Laws::visit(model, [&]<class L>() { answer = L::Input::template has<Block>; });
-  return answer;
-}
-
-/// Lists the words of the models that satisfy `holds`, in quotation marks: '"a", "b" or "c"'.
-std::string list_words(bool (*holds)(const Traits&), const char* last = " or ");
-/// Lists the models that LEM, FEM and partial factors accept.
-inline std::string list_sliceable() {
-  return list_words([](const Traits& t) { return t.serves_slices && !t.only_slices && t.strength == Strength::known; });
-}
+static_assert(std::is_same_v<SoilNumbers, Laws::Numbers>, "SoilNumbers (soil.hpp) lists every block of every law");
 
 /// Largest number of state variables of any law. The first one is common to all plastic laws: the deviatoric plastic
 /// strain.
@@ -108,30 +77,6 @@ concept IsPreconsolidated = requires(const L& l, const double* state) {
   l.find_preconsolidation(state, 1.0);
 };
 
-// Functions of the soil of a case.
-
-/// Returns the law of a soil with changed strength. Throws Error (wrong_input) if an external model is to be reduced,
-/// or if its library cannot be opened.
-Law make_law(Model model, const SoilNumbers& in, const StrengthChange& change);
-void check_soil(Model model, const SoilNumbers& in, const SoilFindings& findings);
-Properties list_properties(Model model, const SoilNumbers& in);
-/// Lists the properties that follow from the roots, of which the soil has at most `content` [%].
-Properties list_root_properties(Model model, const SoilNumbers& in, double content);
-/// Returns the name of the soil's model in reports.
-std::string describe_model(Model model, const SoilNumbers& in);
-/// Returns the strength for LEM; std::nullopt for a law without cohesion and friction angle.
-std::optional<SliceStrength> find_slice_strength(Model model, const SoilNumbers& in);
-void divide_strength(Model model, SoilNumbers& in, PartialDivision& division);
-/// Returns true if divide_strength() changes soils of this model.
-bool is_divisible(Model model);
-/// Returns true if the law is in total stresses, so that pore pressure does not act.
-bool is_total_stress(Model model, const SoilNumbers& in);
-/// Returns the model of the same soil with the cohesion as a state variable, where the cohesion varies in space.
-std::optional<Model> find_local_model(Model model, const SoilNumbers& in);
-/// Returns E_c of a soil with constant stiffness [Pa].
-std::optional<double> find_oedometric_modulus(Model model, const SoilNumbers& in);
-/// Replaces a soil that softens by the one of limit states, without softening. Others are unchanged.
-void stop_softening(Model& model, SoilNumbers& in);
 /// Completes the input with what depends on the folder of the case.
 void complete_soil(SoilNumbers& in, const std::string& name, const auto& find_file) {
   [&]<class... L>(std::variant<L...>*) {

@@ -2,8 +2,8 @@
 #pragma once
 // Isotropic linear elasticity, the predictor of every other law, and the gaps of soil that separates in tension.
 
-#include "material/blocks.hpp"
-#include "material/properties.hpp"
+#include "base/lane.hpp"
+#include "material/inputs.hpp"
 
 namespace talus::material {
 
@@ -27,25 +27,6 @@ struct Response {
   T opened{0.0};  ///< increase of the gap, negative where it closed [-]
   T gap{0.0};     ///< gap at the end of the step [-]
 };
-
-struct YoungInput {
-  double young_modulus = 0;  ///< E [Pa]
-};
-inline void describe(input::Visitor& v, YoungInput& in, const Users& users) {
-  const std::vector<input::Slip> slips{{"MPa", 1e3}, {"GPa", 1e6}, {"Pa", 1e-3}, {"psf", 0.0478803}};
-  v.key("young_modulus", in.young_modulus,
-        users.need(quantity("kPa").above(0)).by_methods({"fem", "mpm"}).usual(200, 5e6, slips).example("45000"),
-        "Young's modulus.");
-}
-
-struct PoissonInput {
-  double poisson_ratio = 0;  ///< ν [-]
-};
-inline void describe(input::Visitor& v, PoissonInput& in, const Users& users) {
-  v.key("poisson_ratio", in.poisson_ratio,
-        users.need(plain().above(-1).below(0.5)).by_methods({"fem", "mpm"}).usual_or_zero(0.05, 0.495).example("0.3"),
-        "Poisson's ratio.");
-}
 
 struct LinearElastic {
   static constexpr Traits traits{.word = "linear_elastic",

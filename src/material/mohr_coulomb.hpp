@@ -21,59 +21,6 @@
 
 namespace talus::material {
 
-/// Strength parameters: the block of input, and the strength that the law uses.
-struct MohrCoulombStrength {
-  double cohesion = 0;          ///< c [Pa]
-  double friction_angle = 0;    ///< φ [rad]
-  double dilatancy_angle = 0;   ///< ψ [rad]
-  double tensile_strength = 0;  ///< σ_t [Pa]
-
-  /// Returns the strength with c/F and arctan(tanφ/F), (3.14-3.15). The dilatancy angle is unchanged but at most the
-  /// reduced friction angle. The tensile strength is divided like the cohesion, so that its ratio to the cohesion is
-  /// unchanged.
-  MohrCoulombStrength reduced(double factor) const;
-  /// Replaces the cohesion by that of the stage, if given, and reduces the strength.
-  MohrCoulombStrength changed(const StrengthChange& change) const;
-  /// Reports ψ > φ, and a tensile strength above the apex.
-  void check(const SoilFindings& findings) const;
-  Properties list_properties() const;
-  void divide(PartialDivision& division);
-};
-inline void describe(input::Visitor& v, MohrCoulombStrength& in, const Users& users) {
-  const std::vector<input::Slip> angles{{"rad", 57.29578}};
-  const std::vector<input::Slip> stresses{{"Pa", 1e-3}, {"MPa", 1e3}, {"psf", 0.0478803}};
-  v.key("cohesion", in.cohesion,
-        users.need(quantity("kPa").at_least(0)).usual_or_zero(0.01, 500, stresses).example("10"),
-        "Cohesion c of the soil itself.");
-  v.key("friction_angle", in.friction_angle,
-        users.need(quantity("deg").at_least(0).below(90)).usual_or_zero(5, 50, angles).example("20"),
-        "Angle of internal friction φ.");
-  v.key("dilatancy_angle", in.dilatancy_angle,
-        users.need(quantity("deg").at_least(0).below(90))
-            .by_methods({"fem", "mpm"})
-            .usual_or_zero(1, 20, angles)
-            .example("0"),
-        "Angle of dilatancy ψ of the plastic flow; at most the friction angle.");
-  v.key("tensile_strength", in.tensile_strength,
-        users.need(quantity("kPa").at_least(0)).by_methods({"fem", "bounds", "mpm"}).example("0"),
-        "Largest tensile stress; at most c/tan φ, the apex of the yield surface.");
-}
-
-/// A cohesion that grows with depth.
-struct CohesionGradient {
-  double cohesion_gradient = 0;  ///< growth of c below `cohesion_level` [Pa/m]
-  double cohesion_level = 0;     ///< [m]
-
-  /// Returns the increase of the cohesion at a level [Pa].
-  double find_extra(double level) const { return cohesion_gradient * std::max(0.0, cohesion_level - level); }
-};
-inline void describe(input::Visitor& v, CohesionGradient& in, const Users& users) {
-  v.key("cohesion_gradient", in.cohesion_gradient, users.allow(quantity("kPa/m")).example("1.5"),
-        "The cohesion grows by this per metre below `cohesion_level`.");
-  v.key("cohesion_level", in.cohesion_level, users.allow(quantity("m")).example("15"),
-        "Level y at which that growth begins; `cohesion_gradient` needs it.");
-}
-
 /// Quantities that depend on the cohesion. T is double where the cohesion is the same for all points.
 template <class T>
 struct MohrCoulombBounds {

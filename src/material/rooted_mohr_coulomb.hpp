@@ -25,14 +25,6 @@ double find_wu_waldron_cohesion(const std::vector<RootClass>& roots, double orie
 /// equal loads, and the weakest root breaks first. The value never exceeds Wu and Waldron's.
 double find_fibre_bundle_cohesion(std::vector<RootClass> roots, double orientation);
 
-struct RootCohesionInput {
-  double root_cohesion = 0;  ///< c_r where no [[roots]] sets it [Pa]
-};
-inline void describe(input::Visitor& v, RootCohesionInput& in, const Users& users) {
-  v.key("root_cohesion", in.root_cohesion, users.allow(quantity("kPa").at_least(0)).example("5"),
-        "c_r, added to the cohesion, where no [[roots]] says otherwise.");
-}
-
 /// State variables: 0 as for Mohr–Coulomb; 1 root cohesion c_r plus the increase of c with depth [Pa]; 2 gap
 /// (linear_elastic.hpp).
 class RootedMohrCoulomb {

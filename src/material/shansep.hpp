@@ -8,30 +8,6 @@
 
 namespace talus::material {
 
-struct ShansepInput {
-  double strength_ratio = 0;                     ///< S [-]
-  double strength_exponent = 0;                  ///< m [-]
-  double added_strength = 0;                     ///< A [Pa]
-  std::optional<double> ocr;                     ///< [-]
-  std::vector<double> profile_ocr;               ///< [-]
-  std::vector<double> profile_preconsolidation;  ///< σ'_p [Pa]
-};
-inline void describe(input::Visitor& v, ShansepInput& in, const Users& users) {
-  v.key("strength_ratio", in.strength_ratio, users.need(plain().above(0)).usual(0.1, 0.5).example("0.22"),
-        "S, undrained strength of the normally consolidated soil over σ'_v.");
-  v.key("strength_exponent", in.strength_exponent, users.need(plain().at_least(0)).usual(0.5, 1).example("0.8"),
-        "m, exponent of the overconsolidation ratio.");
-  v.key("added_strength", in.added_strength, users.allow(quantity("kPa").at_least(0)).example("5"),
-        "A, a strength that is added to that of the stress history.");
-  v.key("ocr", in.ocr, users.allow(plain().at_least(1)).usual(1, 20).example("2"),
-        "Overconsolidation ratio of the soil; either this, `profile_ocr` or `profile_preconsolidation` is needed.");
-  v.key("profile_ocr", in.profile_ocr, users.allow(plain().at_least(1)).example("[4, 2, 1]"),
-        "Overconsolidation ratios along the profile.");
-  v.key("profile_preconsolidation", in.profile_preconsolidation,
-        users.allow(quantity("kPa").above(0)).example("[80, 70, 120]"),
-        "Preconsolidation stresses σ'_p along the profile; OCR is σ'_p/σ'_v, at least 1.");
-}
-
 /// State variables as Tresca's, where 1 is s_u itself [Pa].
 class Shansep : public Tresca {
  public:

@@ -8,63 +8,6 @@
 
 namespace talus::material {
 
-/// Strength of soil that softens in methods of limit states.
-enum class LimitStrength { peak, residual };
-
-}  // namespace talus::material
-
-namespace talus::input {
-
-template <>
-inline constexpr auto choices<material::LimitStrength> = std::array{
-    Choice{material::LimitStrength::peak, "peak", "that before any softening: for a first failure at small strain"},
-    Choice{material::LimitStrength::residual, "residual", "the softened one: for a slide that has moved before"},
-};
-
-}  // namespace talus::input
-
-namespace talus::material {
-
-/// Strain over which a strength falls, and the strength of methods without softening.
-struct SofteningRange {
-  double softening_start = 0;  ///< ε_q^p at which the strength begins to fall [-]
-  double softening_end = 0;    ///< ε_q^p at which it is residual [-]
-  LimitStrength limit_strength = LimitStrength::residual;
-  bool is_associated = false;  ///< ψ = φ at every strain; set by FEM, not by the case
-
-  /// Returns the share of the softening that a strain has caused, from 0 to 1.
-  double find_share(double strain) const {
-    return strain <= softening_start ? 0
-           : strain >= softening_end ? 1
-                                     : (strain - softening_start) / (softening_end - softening_start);
-  }
-  void check(const SoilFindings& findings) const;
-  void add_properties(Properties& list) const;
-};
-inline void describe(input::Visitor& v, SofteningRange& in, const Users& users) {
-  v.key("softening_start", in.softening_start, users.allow(plain().at_least(0)).example("0.01"),
-        "Deviatoric plastic strain, ∫√(⅔ ė:ė) dt, at which the strength begins to fall.");
-  v.key("softening_end", in.softening_end,
-        users.need(plain().above(0)).by_methods({"mpm"}).usual(0.01, 10).example("0.3"),
-        "The same strain at which the strength is residual, linearly between.");
-  v.key("limit_strength", in.limit_strength,
-        users.need(plain()).by_methods({"lem", "fem", "bounds"}).example(R"("residual")"),
-        "Strength for LEM and limit analysis, which do not soften, and for FEM where [fem] softening is \"none\".");
-}
-
-struct ResidualStrength {
-  double residual_cohesion = 0;        ///< [Pa]
-  double residual_friction_angle = 0;  ///< [rad]
-};
-inline void describe(input::Visitor& v, ResidualStrength& in, const Users& users) {
-  v.key("residual_cohesion", in.residual_cohesion,
-        users.need(quantity("kPa").at_least(0)).usual_or_zero(0.01, 500).example("2"),
-        "Cohesion after softening, at most `cohesion`.");
-  v.key("residual_friction_angle", in.residual_friction_angle,
-        users.need(quantity("deg").at_least(0).below(90)).usual_or_zero(5, 50).example("14"),
-        "Friction angle after softening, at most `friction_angle`; tan φ falls linearly, and ψ to zero.");
-}
-
 /// Base of laws that soften. `L` is the law, with update_softened<NS>(strain, sigma, d_epsilon, state, around) for the
 /// strength after a softening strain, whose state is Mohr–Coulomb's. State variables: 0 as Mohr–Coulomb's; 1 the strain
 /// that softens, which neighbours share over the nonlocal length [-]; 2 gap.

@@ -11,32 +11,6 @@
 
 namespace talus::material {
 
-struct TrescaInput {
-  double undrained_strength = 0;          ///< s_u at `undrained_level` and above [Pa]
-  double undrained_gradient = 0;          ///< growth of s_u below that level [Pa/m]
-  double undrained_level = 0;             ///< [m]
-  std::vector<double> profile_strengths;  ///< s_u along the profile instead [Pa]
-
-  /// Returns the increase of s_u at a level [Pa].
-  double find_growth(double level) const { return undrained_gradient * std::max(0.0, undrained_level - level); }
-};
-inline void describe(input::Visitor& v, TrescaInput& in, const Users& users) {
-  const std::vector<input::Slip> slips{{"Pa", 1e-3}, {"MPa", 1e3}, {"psf", 0.0478803}};
-  v.key("profile_strengths", in.profile_strengths,
-        users.allow(quantity("kPa").above(0)).usual(1, 500, slips).example("[20, 20, 45]"),
-        "Undrained shear strengths s_u along the profile, instead of `undrained_strength`.");
-  v.key("undrained_strength", in.undrained_strength,
-        users.need(quantity("kPa").above(0))
-            .usual(1, 500, slips)
-            .unless_given("profile_strengths", !in.profile_strengths.empty())
-            .example("25"),
-        "Undrained shear strength s_u, at `undrained_level` and above it.");
-  v.key("undrained_gradient", in.undrained_gradient, users.allow(quantity("kPa/m").at_least(0)).example("1.5"),
-        "s_u grows by this per metre below `undrained_level`.");
-  v.key("undrained_level", in.undrained_level, users.allow(quantity("m")).example("15"),
-        "Level y at which that growth begins.");
-}
-
 /// State variables: 0 as for Mohr–Coulomb; 1 increase of s_u with depth in the initial geometry [Pa], which moves with
 /// the soil.
 class Tresca {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "input/case/checks.hpp"
+#include "material/law.hpp"
 
 namespace talus::input {
 

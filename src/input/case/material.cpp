@@ -6,6 +6,7 @@
 #include "base/text.hpp"
 #include "input/case/checks.hpp"
 #include "input/language/visitor.hpp"
+#include "material/law.hpp"
 
 namespace talus::input {
 
@@ -52,6 +53,17 @@ void describe_slice_blocks(Visitor& v, SliceSoil& s) {
 }
 
 }  // namespace
+
+std::array<Choice<MaterialModel>, material::model_count> list_models() {
+  std::array<Choice<MaterialModel>, material::model_count> list{};
+  for (std::size_t i = 0; i < list.size(); ++i)
+    list[i] = {MaterialModel(i), material::Laws::traits[i].word, material::Laws::traits[i].meaning};
+  return list;
+}
+
+material::Law make_law(const Material& m, std::optional<double> cohesion, double factor) {
+  return material::make_law(m.model, m, {m.reduced ? factor : 1, cohesion});
+}
 
 void describe(Visitor& v, Material& m) {
   v.key("model", m.model, plain().required().by_methods({"lem", "fem", "bounds", "mpm"}).example(R"("mohr_coulomb")"),

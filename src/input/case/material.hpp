@@ -10,7 +10,7 @@
 #include "base/strength_law.hpp"
 #include "input/case/water.hpp"
 #include "input/language/spec.hpp"
-#include "material/law.hpp"
+#include "material/soil.hpp"
 
 namespace talus::input {
 
@@ -56,13 +56,9 @@ void describe(Visitor& v, UndrainedEnvelope& e);
 using MaterialModel = material::Model;
 
 /// The words of the constitutive laws, in their order.
+std::array<Choice<MaterialModel>, material::model_count> list_models();
 template <>
-inline constexpr auto choices<MaterialModel> = [] {
-  std::array<Choice<MaterialModel>, material::Laws::traits.size()> list{};
-  for (std::size_t i = 0; i < list.size(); ++i)
-    list[i] = {MaterialModel(i), material::Laws::traits[i].word, material::Laws::traits[i].meaning};
-  return list;
-}();
+inline const auto choices<MaterialModel> = list_models();
 
 /// Parameters of all soils, and those of all laws, of which a case gives those of its model.
 struct Material : material::SoilNumbers {
@@ -85,9 +81,7 @@ struct Material : material::SoilNumbers {
 
 /// Returns the law of a material with another cohesion [Pa], reduced by `factor` if the material is to be reduced.
 /// Throws as material::make_law().
-inline material::Law make_law(const Material& m, std::optional<double> cohesion = {}, double factor = 1) {
-  return material::make_law(m.model, m, {m.reduced ? factor : 1, cohesion});
-}
+material::Law make_law(const Material& m, std::optional<double> cohesion = {}, double factor = 1);
 
 /// Returns the soil of limit states: without softening, with the strength that the case names for them.
 inline Material find_limit_soil(Material m) {

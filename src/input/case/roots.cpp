@@ -9,6 +9,7 @@
 
 #include "input/case/checks.hpp"
 #include "input/language/visitor.hpp"
+#include "material/law.hpp"
 
 namespace talus::input {
 

@@ -16,7 +16,7 @@
 #include "base/aligned.hpp"
 #include "base/lane.hpp"
 #include "base/vec.hpp"
-#include "input/case/case.hpp"
+#include "input/case/stage.hpp"
 #include "material/law.hpp"
 #include "mesh/mesh.hpp"
 #include "mpm/state/bars.hpp"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/vec.hpp"
-#include "input/case/case.hpp"
+#include "input/language/time_table.hpp"
 
 namespace talus::mpm {
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "material/law.hpp"
 #include "report/content/choices.hpp"
 #include "report/content/materials.hpp"
 #include "report/content/water.hpp"
