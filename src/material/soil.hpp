@@ -40,7 +40,10 @@ using Law = std::variant<MohrCoulomb, RootedMohrCoulomb, SofteningMohrCoulomb, D
 
 /// Union of the blocks of all laws, in the order of their first use.
 using SoilNumbers =
-    Numbers<YoungInput, PoissonInput, MohrCoulombStrength, CohesionGradient, RootCohesionInput, ResidualStrength, SofteningRange, DruckerPragerInput, TrescaInput, StrengthProfile, ShansepInput, AdpInput, AnisotropicInput, BeddingInput, PowerCurveInput, FlowRatio, StrengthTableInput, HoekBrownInput, ResidualIndex, JointInput, CamClayInput, Preconsolidation, RootParameters, ExternalParameters>;
+    Numbers<YoungInput, PoissonInput, MohrCoulombStrength, CohesionGradient, RootCohesionInput, ResidualStrength,
+            SofteningRange, DruckerPragerInput, TrescaInput, StrengthProfile, ShansepInput, AdpInput, AnisotropicInput,
+            BeddingInput, PowerCurveInput, FlowRatio, StrengthTableInput, HoekBrownInput, ResidualIndex, JointInput,
+            CamClayInput, Preconsolidation, RootParameters, ExternalParameters>;
 
 /// Position of a type in a list of types, -1 for others.
 template <class Wanted, class List>

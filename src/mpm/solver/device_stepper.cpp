@@ -18,17 +18,6 @@ namespace talus::mpm {
 
 namespace {
 
-class Emulator : public DeviceMaker {
- public:
-  explicit Emulator(const Emulation& how) : how_(how) {}
-  std::string find_name(std::string&) override { return "emulated"; }
-  std::unique_ptr<Device<2>> make_2d() override { return make_emulated_device<2>(how_); }
-  std::unique_ptr<Device<3>> make_3d() override { return make_emulated_device<3>(how_); }
-
- private:
-  Emulation how_;
-};
-
 struct Choice {
   std::shared_ptr<DeviceMaker> maker;
   std::string name;
@@ -55,7 +44,15 @@ void use_gpu() {
 }
 
 void use_emulated_device(const Emulation& how) {
-  current() = {std::make_shared<Emulator>(how), "emulated"};
+  std::string why;
+  void* function = load_module("libtalus_emulated.so", "talus_make_emulated", false, why);
+  if (function == nullptr)
+    fail_input("--device emulated: this program was built without the emulated device, which `make test` builds (" +
+               why + ")");
+  using Make = DeviceMaker* (*)(std::size_t, const Emulation*);
+  std::shared_ptr<DeviceMaker> maker(reinterpret_cast<Make>(function)(device_layout, &how));
+  if (!maker) fail_input("--device emulated: libtalus_emulated.so is of another build than the program");
+  current() = {std::move(maker), "emulated"};
 }
 
 void use_no_device() {

@@ -15,7 +15,7 @@ namespace talus::mpm {
 
 /// Selects the GPU. Throws Error (wrong_input) if there is none.
 void use_gpu();
-/// Selects the emulated device: GPU kernels on the CPU.
+/// Selects the emulated device: GPU kernels on the CPU. Throws Error (wrong_input) if its library is not built.
 void use_emulated_device(const Emulation& how = {});
 /// Selects the CPU.
 void use_no_device();
