@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: MIT
 # How the sources are compiled: headers that are compiled once, the cache, and the flags of every target.
 
-# Headers from outside that most sources include. Sources that lead, read and write also have the case and the results, which two of
-# three of them include in any case; for one of the engine they would cost more to load than they save.
+# Headers from outside that most sources include. Those of the project would renew every source with each change, and cost more to load
+# than they save.
 set(TALUS_PRECOMPILED <algorithm> <array> <cmath> <filesystem> <fstream> <functional> <map> <memory> <numeric> <optional> <set> <sstream>
   <string> <variant> <vector> <fmt/format.h>)
+# The engine's vector arithmetic besides.
+set(TALUS_PRECOMPILED_ENGINE ${TALUS_PRECOMPILED})
 if(CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
-  list(APPEND TALUS_PRECOMPILED <immintrin.h>)
+  list(APPEND TALUS_PRECOMPILED_ENGINE <immintrin.h>)
 endif()
-set(TALUS_PRECOMPILED_HOUSE ${TALUS_PRECOMPILED} ${PROJECT_SOURCE_DIR}/src/input/case/case.hpp ${PROJECT_SOURCE_DIR}/src/results/run.hpp)
 
 # A launcher that was asked for comes before ccache. Precompiled headers are cached only with these words.
 find_program(TALUS_CCACHE ccache)

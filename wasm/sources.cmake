@@ -8,7 +8,7 @@ string(JOIN "|" left_out
   "base/(aligned|folder_lock|foreign_code|interrupts|memory|ranks|unit_database)"
   "mesh/(generate|gmsh_mesh|points|quality|read_mesh_file)"
   "material/external"
-  "results/(json|tables)"
+  "results/(json|schema|table_visitor|tables)"
   "studio/(comparison|exports|method_check|process|run_progress|run_queue|server|workspace)"
   "site/(flow_measures|known_state|mesh_sides|season|seepage_model)")
 list(FILTER TALUS_WASM_SOURCES EXCLUDE REGEX "/(${left_out})\\.cpp$")
