@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # The everyday commands. Each is thin: what it does stands in tools/, in CMakePresets.json or in the program itself.
 #   make demo    install what is missing, build the program, run the dry slope, say where its results are
+#   make python  build the Python package as well
 #   make test    install what is missing, build everything, run every test but those of tests/long_tests.txt
 #   make test-all  run these as well
 #   make package  Debian packages for every x86-64 processor with SSE 4.2, in build/package/packages
@@ -18,7 +19,7 @@ DEMO_OUT  ?= results/dry_slope
 DEMO_ARGS ?=
 CMAKE_ARGS ?=
 
-.PHONY: demo test test-all configure build program package studio-web bench format lint docs setup setup-dev
+.PHONY: demo test test-all configure build program python package studio-web bench format lint docs setup setup-dev
 
 setup:
 	@$(SETUP)
@@ -34,6 +35,10 @@ configure:
 
 program: $(BUILD)/build.ninja | setup
 	@cmake --build --preset $(PRESET) --target everyday
+
+python: $(BUILD)/build.ninja | setup
+	@cmake --build --preset $(PRESET) --target everyday --target talus_python
+	@echo "In Python: PYTHONPATH=$(BUILD)/python $$(sed -n 's/^Python_EXECUTABLE:[A-Z]*=//p' $(BUILD)/CMakeCache.txt), then import talus."
 
 build: $(BUILD)/build.ninja | setup
 	@cmake --build --preset $(PRESET)
@@ -53,8 +58,6 @@ studio-web: | setup
 demo: program
 	@$(TALUS) run $(DEMO_CASE) -o $(DEMO_OUT) --overwrite $(DEMO_ARGS)
 	@tools/list_results.sh $(DEMO_OUT)
-	@[ ! -f $(BUILD)/python/talus/_core.*.so ] || \
-	  echo "In Python: PYTHONPATH=$(BUILD)/python $$(sed -n 's/^Python_EXECUTABLE:[A-Z]*=//p' $(BUILD)/CMakeCache.txt), then import talus."
 
 test: build
 	@tools/test.sh $(PRESET)
