@@ -4,12 +4,14 @@
 
     tools/build_cost.py                 the program (talus_cli), then all that `make test` builds besides
     tools/build_cost.py --program       the program only
+    tools/build_cost.py --edits         how many sources an edit recompiles, without a build
     tools/build_cost.py -- -DNAME=VALUE ...   with settings for CMake
 
 Builds from empty into a folder of its own, without ccache. Prints the table of CONTRIBUTING.md.
 """
 import argparse
 import os
+import re
 import resource
 import subprocess
 import sys
@@ -19,6 +21,10 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 COSTLIEST = 10
+# What a maintainer edits, and the file of src/ in which it stands.
+EDITS = {"unit, range or sentence of a key": "input/case/support_keys.cpp", "a member of a block": "input/case/support.hpp",
+         "a member of a result": "results/slices.hpp", "the equations of a law": "material/tresca.hpp", "`error.hpp`": "base/error.hpp"}
+INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
 
 
 def children_seconds():
@@ -54,6 +60,38 @@ def read_log(log):
     return cost
 
 
+def find_included(path):
+    """The project's files that a file includes by itself."""
+    roots = [ROOT / "src", ROOT / "tests", ROOT / "python/src", path.parent]
+    for name in INCLUDE.findall(path.read_text(encoding="utf-8")):
+        found = next((root / name for root in roots if (root / name).is_file()), None)
+        if found:
+            yield found.resolve()
+
+
+def count_recompiled():
+    """Number of sources of src/, tests/, python/ and bench/ that each edit recompiles, each source compiled alone."""
+    files = [path.resolve() for folder in ("src", "tests", "python/src", "bench") for path in (ROOT / folder).rglob("*.[ch]pp")]
+    included = {path: set(find_included(path)) for path in files}
+    counts = dict.fromkeys(EDITS, 0)
+    sources = [path for path in files if path.suffix == ".cpp"]
+    for source in sources:
+        reached, waiting = {source}, [source]
+        while waiting:
+            for path in included.get(waiting.pop(), set()) - reached:
+                reached.add(path)
+                waiting.append(path)
+        for edit, file in EDITS.items():
+            counts[edit] += ROOT / "src" / file in reached
+    return counts, len(sources)
+
+
+def write_recompiled():
+    counts, all_sources = count_recompiled()
+    rows = [f"| {edit} (`{EDITS[edit]}`) | {count} |" for edit, count in counts.items()]
+    return "\n".join([f"| an edit of | sources recompiled, of {all_sources} |", "|---|--:|", *rows])
+
+
 def write_table(steps, cost):
     rows = [f"| {name} | {seconds:.0f} |" for name, seconds in steps]
     rows += [f"| `{name}` | {seconds:.1f} |" for name, seconds in sorted(cost.items(), key=lambda c: -c[1])[:COSTLIEST]]
@@ -79,14 +117,20 @@ def main():
         return launch(sys.argv[2], sys.argv[3:])
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", action="store_true", help="the program only")
+    parser.add_argument("--edits", action="store_true", help="count what edits recompile, and build nothing")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--keep", type=Path, help="keep the build folder here")
     parser.add_argument("settings", nargs="*")
     chosen = parser.parse_args()
+    if chosen.edits:
+        print(write_recompiled())
+        return 0
     with tempfile.TemporaryDirectory() as scratch:
         folder = (chosen.keep or Path(scratch)).resolve()
         folder.mkdir(parents=True, exist_ok=True)
         print(measure(folder, chosen.program, chosen.jobs, chosen.settings))
+    print()
+    print(write_recompiled())
     return 0
 
 
