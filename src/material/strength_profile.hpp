@@ -6,6 +6,4 @@
 
 #include "material/linear_elastic.hpp"
 
-namespace talus::material {
-
-}  // namespace talus::material
+namespace talus::material {}  // namespace talus::material

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "material/law.hpp"
 #include "slope.hpp"
 #include "support/scratch.hpp"
 

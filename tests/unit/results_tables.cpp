@@ -34,7 +34,7 @@ void describe(Visitor& v, Pair& r) {
   v.key("x", r.x, {"m", "x"});
   v.key("angle", r.angle, {"rad", "angle"});
 }
-const TableRules rules{.columns = {&type<Pair>}};
+const TableRules rules{.left_out = {}, .columns = {&type<Pair>}, .own_columns = {}, .in_head = {}};
 
 struct Branching {
   int count = 0;
