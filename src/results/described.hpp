@@ -138,21 +138,21 @@ class Visitor {
 // How types are made.
 
 template <class T>
-constexpr bool is_optional = false;
+inline constexpr bool is_optional = false;
 template <class T>
-constexpr bool is_optional<std::optional<T>> = true;
+inline constexpr bool is_optional<std::optional<T>> = true;
 template <class T>
-constexpr bool is_vector = false;
+inline constexpr bool is_vector = false;
 template <class T>
-constexpr bool is_vector<std::vector<T>> = true;
+inline constexpr bool is_vector<std::vector<T>> = true;
 template <class T>
-constexpr bool is_array = false;
+inline constexpr bool is_array = false;
 template <class T, std::size_t N>
-constexpr bool is_array<std::array<T, N>> = true;
+inline constexpr bool is_array<std::array<T, N>> = true;
 template <class T>
-constexpr bool is_map = false;
+inline constexpr bool is_map = false;
 template <class T>
-constexpr bool is_map<std::map<std::string, T>> = true;
+inline constexpr bool is_map<std::map<std::string, T>> = true;
 
 /// Returns the name of the type T without its namespace.
 template <class T>

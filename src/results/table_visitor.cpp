@@ -303,9 +303,7 @@ class RowWriter : public Visitor {
         more.push_back({make_head(head, head), name});
         fill(table, more, title, key, unit, {entry, value.type->inner}, depth + 1);
       });
-    } else if (is_number_list(*value.type) && is_point(value, unit)) {
-      set_entry(table, set_.add_row(table, leads), key, title, unit, value);
-    } else if (value.shape() == Shape::list) {
+    } else if (value.shape() == Shape::list && !is_point(value, unit)) {
       for (std::size_t i = 0; i < value.get_size(); ++i) {
         const Value entry = value.get_entry(i);
         if (is_counted(entry, unit))

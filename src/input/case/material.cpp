@@ -54,11 +54,14 @@ void describe_slice_blocks(Visitor& v, SliceSoil& s) {
 
 }  // namespace
 
-std::array<Choice<MaterialModel>, material::model_count> list_models() {
-  std::array<Choice<MaterialModel>, material::model_count> list{};
-  for (std::size_t i = 0; i < list.size(); ++i)
-    list[i] = {MaterialModel(i), material::Laws::traits[i].word, material::Laws::traits[i].meaning};
-  return list;
+const Choice<MaterialModel>* ModelChoices::begin() const {
+  static constexpr auto list = [] {
+    std::array<Choice<MaterialModel>, size()> made{};
+    for (std::size_t i = 0; i < made.size(); ++i)
+      made[i] = {MaterialModel(i), material::Laws::traits[i].word, material::Laws::traits[i].meaning};
+    return made;
+  }();
+  return list.data();
 }
 
 material::Law make_law(const Material& m, std::optional<double> cohesion, double factor) {

@@ -56,9 +56,14 @@ void describe(Visitor& v, UndrainedEnvelope& e);
 using MaterialModel = material::Model;
 
 /// The words of the constitutive laws, in their order.
-std::array<Choice<MaterialModel>, material::model_count> list_models();
+struct ModelChoices {
+  const Choice<MaterialModel>* begin() const;
+  const Choice<MaterialModel>* end() const { return begin() + size(); }
+  static constexpr std::size_t size() { return material::model_count; }
+  const Choice<MaterialModel>& operator[](std::size_t i) const { return begin()[i]; }
+};
 template <>
-inline const auto choices<MaterialModel> = list_models();
+inline constexpr ModelChoices choices<MaterialModel>{};
 
 /// Parameters of all soils, and those of all laws, of which a case gives those of its model.
 struct Material : material::SoilNumbers {
