@@ -71,6 +71,12 @@ if(TALUS_FUZZ)
   target_compile_options(talus_text_options INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-fsanitize=fuzzer-no-link>)
 endif()
 
+# For modules: a missing symbol is found when they are linked, not when they are loaded. A sanitizer's symbols come with the program.
+add_library(talus_module_options INTERFACE)
+if(NOT TALUS_SANITIZE AND NOT TALUS_TSAN)
+  target_link_options(talus_module_options INTERFACE -Wl,--no-undefined)
+endif()
+
 # For tests that read the output of the program and the library.
 add_library(talus_reading_options INTERFACE)
 target_compile_options(talus_reading_options INTERFACE -O0)
