@@ -25,6 +25,7 @@ void describe(Visitor& v, Water& w) {
         "were measured at rest.");
 }
 
+// NOLINTNEXTLINE(readability-function-size): a list of keys
 void describe(Visitor& v, PoreWater& w) {
   using R = RetentionCurve;
   using K = ConductivityCurve;

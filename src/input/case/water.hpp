@@ -78,7 +78,6 @@ inline constexpr auto choices<BishopChi> = std::array{
 
 void describe(Visitor& v, Water& w);
 
-// NOLINTNEXTLINE(readability-function-size): a list of keys
 void describe(Visitor& v, PoreWater& w);
 
 }  // namespace talus::input
