@@ -423,10 +423,23 @@ geometry.ground = [[0, 8], [10, 8], [28, 0], [40, 0]]
 geometry.layer = [{ name = "sand", level = -3 }, { name = "clay", level = -5 }]
 regions = { sand = "sand", clay = "clay" }
 initial = { stress = "k0", pore_pressure = "water_table", water_table = [[0, 7], [10, 6.5], [28, 0], [40, 0]] }
-lem = { methods = ["spencer"], noncircular = false, referee = false, yield_acceleration = false, minima = 1, entry_exit = { entries = 16, exits = 16, depths = 10 } }
+lem.methods = ["spencer"]
+lem.noncircular = false
+lem.referee = false
+lem.yield_acceleration = false
+lem.minima = 1
+lem.entry_exit = { entries = 16, exits = 16, depths = 10 }
 fem = { size = 2.5, meshes = 1 }
 surcharge = [{ name = "hut", x = [2, 4], load = [1, 1] }]
-materials.sand = { model = "mohr_coulomb", unit_weight = 18, saturated_unit_weight = 20, cohesion = 4, friction_angle = 32, dilatancy_angle = 0, tensile_strength = 0, young_modulus = 3e4, poisson_ratio = 0.3 }
+materials.sand.model = "mohr_coulomb"
+materials.sand.unit_weight = 18
+materials.sand.saturated_unit_weight = 20
+materials.sand.cohesion = 4
+materials.sand.friction_angle = 32
+materials.sand.dilatancy_angle = 0
+materials.sand.tensile_strength = 0
+materials.sand.young_modulus = 3e4
+materials.sand.poisson_ratio = 0.3
 [materials.clay]
 model = "mohr_coulomb"
 grain_density = 2700

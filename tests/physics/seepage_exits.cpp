@@ -212,7 +212,11 @@ analysis.methods = ["seepage"]
 mesh.size = 0.4
 geometry.box = [[-1, 0], [17, 11]]
 geometry.polygon = [{ name = "s", points = [[0, 0], [16, 0], [16, 10], [0, 10]] }]
-geometry.line = [{ name = "up", points = [[0, 0], [0, 8]] }, { name = "down", points = [[16, 0], [16, 2]] }, { name = "face", points = [[16, 2], [16, 10]] }]
+geometry.line = [
+  { name = "up", points = [[0, 0], [0, 8]] },
+  { name = "down", points = [[16, 0], [16, 2]] },
+  { name = "face", points = [[16, 2], [16, 10]] },
+]
 regions.s = "s"
 initial.pore_pressure = "seepage"
 hydraulic = [
