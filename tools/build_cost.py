@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 """Measures the cost of a build in user and system seconds, which a busy machine hardly affects.
 
-    tools/build_cost.py                 the program (talus_cli), then all that `make test` builds besides
-    tools/build_cost.py --program       the program only
+    tools/build_cost.py                 program, pages and modules, then all that `make test` builds besides
+    tools/build_cost.py --program       these only
     tools/build_cost.py --edits         how many sources an edit recompiles, without a build
     tools/build_cost.py -- -DNAME=VALUE ...   with settings for CMake
 
@@ -21,7 +21,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 COSTLIEST = 10
-# What a maintainer edits, and the file of src/ in which it stands.
+# Typical edits, each with the file of src/ in which it is made.
 EDITS = {"unit, range or sentence of a key": "input/case/support_keys.cpp", "a member of a block": "input/case/support.hpp",
          "a member of a result": "results/slices.hpp", "the equations of a law": "material/tresca.hpp", "`error.hpp`": "base/error.hpp"}
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.MULTILINE)
@@ -105,7 +105,7 @@ def measure(folder, program_only, jobs, settings):
     steps = [("configuration", run(["cmake", "--preset", "release", "-S", ROOT, "-B", build,
                                     *[f"-DCMAKE_{language}_COMPILER_LAUNCHER={launcher}" for language in ("C", "CXX")],
                                     *settings]))]
-    for name, target in (("program", "talus_cli"), ("tests, benchmarks, Python package", "all"))[: 1 if program_only else 2]:
+    for name, target in (("program, pages, modules", "everyday"), ("tests, benchmarks, Python package", "all"))[: 1 if program_only else 2]:
         before = sum(read_log(log).values())
         seconds = run(["cmake", "--build", build, "-j", str(jobs), "--target", target])
         steps += [(f"{name}: compilers", sum(read_log(log).values()) - before), (f"**{name}**", seconds)]
@@ -116,7 +116,7 @@ def main():
     if sys.argv[1:2] == ["--launch"]:
         return launch(sys.argv[2], sys.argv[3:])
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--program", action="store_true", help="the program only")
+    parser.add_argument("--program", action="store_true", help="program, pages and modules only")
     parser.add_argument("--edits", action="store_true", help="count what edits recompile, and build nothing")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--keep", type=Path, help="keep the build folder here")

@@ -23,7 +23,7 @@ class Visitor;
 
 enum class Shape { boolean, integer, number, text, word, tree, optional, list, array, map, structure };
 
-/// What a visitor has to know of a type, by its shape; the members of other shapes are null.
+/// Describes a type to visitors. Functions that belong to another shape are null.
 struct Type {
   Shape shape = Shape::structure;
   std::string_view name;        ///< of a word or a structure, without its namespace
