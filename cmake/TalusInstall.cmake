@@ -22,7 +22,7 @@ install(DIRECTORY src/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/talus COMPONENT d
 install(FILES ${CMAKE_BINARY_DIR}/generated/base/version.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/talus/base COMPONENT development)
 install(EXPORT talus-targets NAMESPACE talus:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/talus COMPONENT development)
 configure_package_config_file(cmake/talus-config.cmake.in ${CMAKE_BINARY_DIR}/talus-config.cmake
-  INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/talus)
+  INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/talus PATH_VARS TALUS_MODULES)
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/talus-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_BINARY_DIR}/talus-config.cmake ${CMAKE_BINARY_DIR}/talus-config-version.cmake
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/talus COMPONENT development)

@@ -34,6 +34,7 @@ ALLOWED = {
     "export": ["base", "mesh", "results", "input", "output", "site", "drawing", "report/folder"],
     "studio": ["base", "results", "input", "lem", "site", "output", "run", "report"],
     "gdal": ["base", "drawing"],
+    "gmsh": ["base", "mesh"],
     "xlsx": ["base", "results", "export"],
     "http": ["studio"],
     "app": ["base", "drawing", "export", "results", "input", "output", "run", "laboratory", "study", "report", "studio"],

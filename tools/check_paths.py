@@ -37,8 +37,8 @@ MAY_OPEN = {
     "src/base/foreign_code.cpp": "the program's own modules",
     "src/output/files/history.cpp": "rows at the end of a history that it has begun",
     "src/output/files/hdf5.cpp": "results in HDF5, after find_file_fault()",
-    "src/mesh/read_mesh_file.cpp": "a mesh line by line, after find_file_fault()",
-    "src/mesh/read_mesh_file.cpp": "a mesh by Gmsh, after check_mesh_file()",
+    "src/mesh/check_mesh_file.cpp": "a mesh line by line, after find_file_fault()",
+    "src/gmsh/mesh_of_file.cpp": "a mesh by Gmsh, after check_mesh_file()",
     "src/material/external.cpp": "a compiled soil, after find_file_fault()",
 }
 

@@ -6,7 +6,7 @@ list(TRANSFORM folders APPEND /*.cpp)
 file(GLOB_RECURSE TALUS_WASM_SOURCES CONFIGURE_DEPENDS ${folders})
 string(JOIN "|" left_out
   "base/(aligned|folder_lock|foreign_code|interrupts|memory|ranks|unit_database)"
-  "mesh/(generate|gmsh_mesh|points|quality|read_mesh_file)"
+  "mesh/(check_mesh_file|generate|points|quality)"
   "material/external"
   "results/(json|schema|table_visitor|tables)"
   "studio/(comparison|exports|method_check|process|run_progress|run_queue|server|workspace)"

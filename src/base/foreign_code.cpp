@@ -392,7 +392,8 @@ GuardedArray::~GuardedArray() {
 namespace {
 
 /// Returns the folders in which modules are searched: for the program, its own folder and that of the installation; for
-/// the library loaded by Python, the package (above the folder of the instruction-set level) and the build tree.
+/// the library loaded by Python, its own folder, the package (above the folder of the instruction-set level) and the
+/// build tree.
 std::vector<std::string> list_folders() {
   Dl_info own{};
   std::error_code ignored;
@@ -402,7 +403,7 @@ std::vector<std::string> list_folders() {
   // For a program dladdr() returns argv[0], which need not be a path.
   if (!is_library) file = std::filesystem::read_symlink("/proc/self/exe", ignored);
   const std::string folder = file.parent_path().string();
-  if (is_library) return {folder + "/../../../talus/", folder + "/../", folder + "/../../bin/"};
+  if (is_library) return {folder + "/", folder + "/../../../talus/", folder + "/../", folder + "/../../bin/"};
   return {folder + "/", folder + "/../lib/talus/"};
 }
 
@@ -410,8 +411,10 @@ std::vector<std::string> list_folders() {
 
 void* load_module(const std::string& name, const char* maker, bool global, std::string& why) {
   void* library = nullptr;
-  for (std::string path : list_folders()) {
-    path += name;
+  std::vector<std::string> paths = list_folders();
+  for (std::string& path : paths) path += name;
+  paths.push_back(name);  // where the loader looks: a program built on the library has the folder of modules as rpath
+  for (const std::string& path : paths) {
     library = dlopen(path.c_str(), RTLD_NOW | (global ? RTLD_GLOBAL : RTLD_LOCAL));
     if (library != nullptr) break;
     if (why.empty() || std::filesystem::exists(path)) why = dlerror();

@@ -4,15 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <filesystem>
-#include <new>
 #include <numeric>
 
 #include "base/error.hpp"
 #include "base/foreign_code.hpp"
 #include "mesh/gmsh_mesh.hpp"
+#include "mesh/gmsh_module.hpp"
 #include "mesh/plan.hpp"
 #include "mesh/planar.hpp"
 
@@ -126,23 +125,34 @@ Plan put_in_order(Plan plan) {
   return plan;
 }
 
+/// Returns a function of the module by its name, which ends with the dimension. The library is loaded once in the
+/// process, and the children have it.
+template <class Function>
+Function* load_gmsh(const std::string& name, int dimension) {
+  std::string why;
+  void* function = load_module("libtalus_gmsh.so", (name + std::to_string(dimension)).c_str(), false, why);
+  if (function == nullptr)
+    throw Error(ExitCode::internal_error, "the module of Gmsh, which makes the meshes, is not beside the program: {}",
+                why);
+  return reinterpret_cast<Function*>(function);
+}
+
 template <int D>
-Mesh<D> mesh_plan(const Plan& given) {
-  const Plan checked = check_plan(given), plan = make_local(checked);
-  const GmshSession session;
-  errno = 0;
-  try {
-    mesh_with_gmsh(put_in_order(plan));
-  } catch (...) {  // Gmsh throws strings and numbers
-    if (errno == ENOMEM) throw std::bad_alloc();
-    fail_input("Gmsh cannot mesh the plan: " + GmshSession::get_last_error());
-  }
+using MeshPlan = void(const Plan&, const Naming&, Mesh<D>&, std::vector<Freedom<D>>&);
+template <int D>
+using ReadMesh = void(const std::string&, Mesh<D>&);
+
+template <int D>
+Mesh<D> mesh_plan(MeshPlan<D>& mesh_by_gmsh, const Plan& checked) {
+  const Plan plan = make_local(checked);
   Naming naming;
   naming.region = [&](int, const std::array<double, 3>& x) { return find_region(plan, {x[0], x[1]}); };
   naming.sides = [&](int, const std::array<double, 3>& x) { return find_sides<D>(plan, x); };
-  Mesh<D> mesh = extract_mesh<D>(naming);
+  Mesh<D> mesh;
+  std::vector<Freedom<D>> freedoms;
+  mesh_by_gmsh(put_in_order(plan), naming, mesh, freedoms);
   for (const Polygon& p : plan.polygons) mesh.region_names.push_back(p.name);
-  raise_altitudes<D>(mesh, extract_freedoms<D>(), [&](const auto& x) { return compute_size(plan, {x[0], x[1]}); });
+  raise_altitudes<D>(mesh, freedoms, [&](const auto& x) { return compute_size(plan, {x[0], x[1]}); });
   for (auto& x : mesh.nodes)
     for (std::size_t d = 0; d < 2; ++d) x[d] += checked.box_min[d];
   put_in_place(mesh, checked);
@@ -210,12 +220,21 @@ Mesh<D> generate(const Plan& plan) {
   if (plan.dimension != D)
     throw Error(ExitCode::internal_error, "a {}D plan was given to the {}D mesher", plan.dimension, D);
   const bool is_made = plan.file.empty();
+  const Plan checked = is_made ? check_plan(plan) : plan;
   if (!is_made) check_mesh_file(plan.file);
+  auto& mesh_by_gmsh = *load_gmsh<MeshPlan<D>>("talus_mesh_plan_", D);
+  auto& read_by_gmsh = *load_gmsh<ReadMesh<D>>("talus_read_mesh_", D);
   Message message;
   try {
-    message = do_in_child("the mesh was made", [&plan, is_made](Message& answer) {
-      if (!is_made) limit_reading(plan.file);
-      write_mesh(is_made ? mesh_plan<D>(plan) : read_mesh_file<D>(plan.file), answer);
+    message = do_in_child("the mesh was made", [&](Message& answer) {
+      Mesh<D> mesh;
+      if (is_made) {
+        mesh = mesh_plan<D>(mesh_by_gmsh, checked);
+      } else {
+        limit_reading(plan.file);
+        read_by_gmsh(plan.file, mesh);
+      }
+      write_mesh(mesh, answer);
     });
   } catch (const ChildCrash& crash) {
     fail_input(is_made ? fmt::format("Gmsh cannot mesh the plan: {}; look for corners, edges or lines that nearly "

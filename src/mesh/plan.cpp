@@ -110,10 +110,6 @@ void check_within_box(std::string_view what, const std::string& name, const Poly
 
 }  // namespace
 
-double get_tolerance(const Plan& plan) {
-  return 1e-6 * plan.size;
-}
-
 Plan check_plan(const Plan& given) {
   check_numbers(given);
   check_names(given);

@@ -45,6 +45,9 @@ struct Plan {
   ShownUnits units;  ///< units of messages
 };
 
+/// Returns the target element size at a point: the general one or that of the nearest refinement [m].
+double compute_size(const Plan& plan, const std::array<double, 2>& x);
+
 /// Returns the plan with another general element size; local sizes are scaled in proportion.
 Plan resize(Plan plan, double size);
 

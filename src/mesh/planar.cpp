@@ -208,6 +208,19 @@ double measure_soil_angle(const Plan& plan, const Point2& x, double radius) {
 
 }  // namespace
 
+double get_tolerance(const Plan& plan) {
+  return 1e-6 * plan.size;
+}
+
+double compute_size(const Plan& plan, const Point2& x) {
+  double size = plan.size;
+  for (const Refinement& r : plan.refinements) {
+    const double share = std::min(1.0, compute_distance(x, r.near) / r.distance);
+    size = std::min(size, r.size + share * (plan.size - r.size));
+  }
+  return size;
+}
+
 std::vector<Point2> find_reentrant_corners(const Plan& plan) {
   const double near = get_tolerance(plan), radius = 100 * near;
   std::vector<Point2> corners;
