@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "fem/solid/solid.hpp"
+#include "material/every_law.hpp"
 #include "mesh/generate.hpp"
 
 using namespace talus;

@@ -13,7 +13,7 @@
 #include <ctime>
 #include <vector>
 
-#include "material/law.hpp"
+#include "material/every_law.hpp"
 
 namespace {
 

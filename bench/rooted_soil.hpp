@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "material/every_law.hpp"
 #include "mpm/solver/build.hpp"
 
 namespace talus::bench {

@@ -3,6 +3,7 @@
 // The slope of yardstick_case.hpp with pore water, as in the two-phase program of the yardstick: hydrostatic pressure
 // below the water level, suction above it, free surfaces without a condition on the water, and impermeable walls.
 
+#include "material/every_law.hpp"
 #include "yardstick_case.hpp"
 
 namespace talus::bench {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "material/every_law.hpp"
 #include "mpm/solver/build.hpp"
 #include "rooted_soil.hpp"
 #include "yardstick_mesh.hpp"

@@ -9,11 +9,12 @@
 
 #include "base/error.hpp"
 #include "input/case/soil_water_law.hpp"
+#include "material/every_law.hpp"
 
 namespace talus::laboratory {
 
 PointSoil::PointSoil(const input::Material& material, const Voigt& stress, double suction, const ShownUnit& unit)
-    : law_(input::make_law(material)),
+    : law_(std::make_shared<const material::Law>(input::make_law(material))),
       retention_(input::make_retention(material.water)),
       is_wet_(material.water.is_wet()),
       chi_air_entry_(material.water.chi == input::BishopChi::khalili_khabbaz ? material.water.chi_air_entry : 0),
@@ -44,7 +45,7 @@ void PointSoil::set_start_state(const input::Material& material) {
   material::StateStart start{start_.stress.data(), void_ratio_, saturation};
   start.root_content = material.root_content;
   start.root_cohesion = material.root_cohesion;
-  material::set_initial_state(law_, material, start, start_.state.data());
+  material::set_initial_state(*law_, material, start, start_.state.data());
   std::visit(
       [&]<class L>([[maybe_unused]] const L& law) {
         if constexpr (material::IsPreconsolidated<L>)
@@ -54,10 +55,10 @@ void PointSoil::set_start_state(const input::Material& material) {
             std::array<double, material::max_state_size> state{};
             law.set_preconsolidation(material.preconsolidation_ratio.value_or(1), start_.stress.data(), state.data());
             known.preconsolidation = state[1];
-            material::set_initial_state(law_, known, start, start_.state.data());
+            material::set_initial_state(*law_, known, start, start_.state.data());
           }
       },
-      law_);
+      *law_);
 }
 
 PointState PointSoil::advance(const PointState& from, const Voigt& d_epsilon, double suction) const {
@@ -70,8 +71,8 @@ PointState PointSoil::advance(const PointState& from, const Voigt& d_epsilon, do
       [&](const auto& law) {
         law.template update<6>(to.stress.data(), d_epsilon.data(), to.state.data(), true, around);
       },
-      law_);
-  if (auto failure = material::take_failure(law_)) {
+      *law_);
+  if (auto failure = material::take_failure(*law_)) {
     failure_ = std::move(failure);
     to.stress.fill(std::numeric_limits<double>::quiet_NaN());  // a caller that ignores the failure must not continue
   }
@@ -100,7 +101,7 @@ double PointSoil::find_preconsolidation(const PointState& at) const {
         if constexpr (material::IsPreconsolidated<L>)
           pressure = law.find_preconsolidation(at.state.data(), find_saturation(at.suction));
       },
-      law_);
+      *law_);
   return pressure;
 }
 
@@ -112,7 +113,7 @@ double PointSoil::find_void_ratio(const PointState& at, double volumetric_strain
         else
           return (1 + void_ratio_) * std::exp(-volumetric_strain) - 1;
       },
-      law_);
+      *law_);
 }
 
 namespace {

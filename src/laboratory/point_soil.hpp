@@ -4,6 +4,7 @@
 // and stresses.
 
 #include <array>
+#include <memory>
 #include <optional>
 
 #include "input/case/case.hpp"
@@ -46,7 +47,7 @@ class PointSoil {
  private:
   void set_start_state(const input::Material& material);
 
-  material::Law law_;
+  std::shared_ptr<const material::Law> law_;
   material::Retention retention_;
   bool is_wet_;
   double chi_air_entry_;

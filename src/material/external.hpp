@@ -57,16 +57,6 @@ class Umat {
   bool is_lost_ = false;
 };
 
-/// A call of a UMAT without a usable result.
-struct LawFailure {
-  int point = -1;      ///< -1: unknown
-  std::string model;   ///< "the external model 'clay' (umat_ in libclay.so)"
-  std::string answer;  ///< the answer and the arguments that led to it
-
-  /// Returns the failure as one sentence; `place` follows the number of the point, e.g. " at (3.2, 1.5) m".
-  std::string describe(const std::string& place) const;
-};
-
 class ExternalLibrary;  // owns the opened library and the first failure
 
 /// State variables: 0 deviatoric plastic strain, always 0 because a UMAT does not return it; 1… STATEV; then STRAN.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "material/law.hpp"
 
+#include "material/every_law.hpp"
+
 namespace talus::material {
 
 const Traits& get_traits(Model model) {
@@ -128,6 +130,14 @@ std::optional<double> find_oedometric_modulus(Model model, const SoilNumbers& in
       if (in.young_modulus > 0) modulus = LinearElastic::make(in).constrained_modulus();
   });
   return modulus;
+}
+
+int state_size(const Law& law) {
+  return std::visit([](const auto& l) { return l.state_size; }, law);
+}
+
+const Traits& traits_of(const Law& law) {
+  return Laws::traits[law.index()];
 }
 
 void set_initial_state(const Law& law, const SoilNumbers& in, const StateStart& start, double* state) {

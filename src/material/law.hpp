@@ -1,92 +1,37 @@
 // SPDX-License-Identifier: MIT
 #pragma once
-// The constitutive laws of the list in soil.hpp, and the functions on a law of unknown type.
+// Functions on a law of unknown type, without the equations of the laws (every_law.hpp).
 
-#include <algorithm>
-#include <array>
-#include <variant>
+#include <optional>
+#include <string>
 #include <vector>
 
-#include "material/cam_clay.hpp"
-#include "material/curved_envelopes.hpp"
-#include "material/directed_strength.hpp"
-#include "material/drucker_prager.hpp"
-#include "material/external.hpp"
-#include "material/hoek_brown.hpp"
-#include "material/linear_elastic.hpp"
-#include "material/mohr_coulomb.hpp"
-#include "material/rooted_mohr_coulomb.hpp"
-#include "material/shansep.hpp"
-#include "material/softening.hpp"
+#include "material/blocks.hpp"
 #include "material/soil.hpp"
-#include "material/tresca.hpp"
 
 namespace talus::material {
 
-/// Returns the law as the class whose update a step calls: laws may share it.
-template <class L>
-const auto& get_kernel(const L& law) {
-  if constexpr (requires { typename L::Kernel; })
-    return static_cast<const typename L::Kernel&>(law);
-  else
-    return law;
-}
+/// A call of an external model without a usable result.
+struct LawFailure {
+  int point = -1;      ///< -1: unknown
+  std::string model;   ///< "the external model 'clay' (umat_ in libclay.so)"
+  std::string answer;  ///< the answer and the arguments that led to it
 
-template <class Laws>
-struct OfLaws;
-template <class... L>
-struct OfLaws<std::variant<L...>> {
-  /// Union of the blocks of all laws.
-  using Numbers = typename Joined<material::Numbers<>, typename L::Input...>::type;
-  static constexpr std::array<Traits, sizeof...(L)> traits{L::traits...};
-  static constexpr int max_state_size = std::max({L::state_size...});
-
-  /// Returns the models whose law needs a block, `now` being the model of the material.
-  template <class Block>
-  static Users list_users(Model now) {
-    Users users;
-    const auto add = [&]<class One>() {
-      if constexpr (One::Input::template has<Block>)
-        users.models.push_back({"model", '"' + std::string(One::traits.word) + '"', model_of<One> == now});
-    };
-    (add.template operator()<L>(), ...);
-    return users;
-  }
-  /// Calls work.template operator()<L>() for the law of a model.
-  static void visit(Model model, auto&& work) {
-    static_cast<void>(((model_of<L> == model ? (work.template operator()<L>(), true) : false) || ...));
-  }
+  /// Returns the failure as one sentence; `place` follows the number of the point, e.g. " at (3.2, 1.5) m".
+  std::string describe(const std::string& place) const;
 };
-using Laws = OfLaws<Law>;
-static_assert(std::is_same_v<SoilNumbers, Laws::Numbers>, "SoilNumbers (soil.hpp) lists every block of every law");
+
+/// Number of stress components: xx yy zz xy (plane strain), and yz zx in three dimensions. Shear strains are
+/// engineering strains (2ε_xy), stresses positive in tension.
+template <int D>
+inline constexpr int stress_size = D == 2 ? 4 : 6;
 
 /// Largest number of state variables of any law. The first one is common to all plastic laws: the deviatoric plastic
 /// strain.
-inline constexpr int max_state_size = Laws::max_state_size, common_state_size = 1;
+inline constexpr int max_state_size = 27, common_state_size = 1;
 
-inline int state_size(const Law& law) {
-  return std::visit([](const auto& l) { return l.state_size; }, law);
-}
-inline const Traits& get_traits(const Law& law) {
-  return Laws::traits[law.index()];
-}
-
-/// Laws with a preconsolidation, which may be set after a stage of equilibrium.
-template <class L>
-concept IsPreconsolidated = requires(const L& l, const double* state) {
-  l.find_preconsolidation(state, 1.0);
-};
-
-/// Completes the input with what depends on the folder of the case.
-void complete_soil(SoilNumbers& in, const std::string& name, const auto& find_file) {
-  [&]<class... L>(std::variant<L...>*) {
-    const auto complete = [&]<class One>() {
-      if constexpr (requires { One::complete(typename One::Input::Changeable(in), name, find_file); })
-        One::complete(typename One::Input::Changeable(in), name, find_file);
-    };
-    (complete.template operator()<L>(), ...);
-  }(static_cast<Law*>(nullptr));
-}
+int state_size(const Law& law);
+const Traits& traits_of(const Law& law);
 
 // Functions of a point.
 

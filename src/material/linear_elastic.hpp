@@ -4,16 +4,12 @@
 
 #include "base/lane.hpp"
 #include "material/inputs.hpp"
+#include "material/law.hpp"
 
 namespace talus::material {
 
 using input::plain;
 using input::quantity;
-
-/// Number of stress components: xx yy zz xy (plane strain), and yz zx in three dimensions. Shear strains are
-/// engineering strains (2ε_xy), stresses positive in tension.
-template <int D>
-inline constexpr int stress_size = D == 2 ? 4 : 6;
 
 /// Output of an update beside the new stress, per point.
 template <class T>

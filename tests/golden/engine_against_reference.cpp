@@ -7,6 +7,7 @@
 #include <string>
 
 #include "golden/plain_translation.hpp"
+#include "material/every_law.hpp"
 #include "mpm/solver/observe.hpp"
 #include "mpm/solver/step.hpp"
 #include "reference/plain_mpm.hpp"

@@ -7,6 +7,7 @@
 #include "base/ranks.hpp"
 #include "mpm/solver/build.hpp"
 #include "mpm/state/partition.hpp"
+#include "support/points.hpp"
 #include "support/wet_case.hpp"
 
 namespace talus {

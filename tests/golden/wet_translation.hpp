@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "material/every_law.hpp"
 #include "mpm/solver/build.hpp"
 #include "reference/two_phase_bodies.hpp"
 

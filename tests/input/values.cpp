@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "material/law.hpp"
+#include "material/every_law.hpp"
 #include "slope.hpp"
 #include "support/scratch.hpp"
 

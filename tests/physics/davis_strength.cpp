@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "material/every_law.hpp"
 #include "run/fem/solid_of_case.hpp"
 #include "support/run_json.hpp"
 #include "support/scratch.hpp"

@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "run/mpm/stage/auxiliary_body.hpp"
+#include "support/points.hpp"
 #include "support/wet_case.hpp"
 
 namespace talus {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <random>
 
+#include "material/every_law.hpp"
 #include "support/point_soils.hpp"
 #include "support/soil_body.hpp"
 #include "support/wet_case.hpp"

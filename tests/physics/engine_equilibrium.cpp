@@ -8,6 +8,7 @@
 
 #include "support/box_case.hpp"
 #include "support/draw.hpp"
+#include "support/soil_body.hpp"
 
 namespace talus {
 namespace {

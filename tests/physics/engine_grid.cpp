@@ -11,6 +11,7 @@
 #include "mpm/kernels/element_kernels.hpp"
 #include "mpm/solver/step.hpp"
 #include "support/box_case.hpp"
+#include "support/soil_body.hpp"
 
 namespace talus {
 namespace {

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "support/box_case.hpp"
+#include "support/soil_body.hpp"
 
 namespace talus {
 namespace {

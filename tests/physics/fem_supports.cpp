@@ -10,6 +10,7 @@
 
 #include "base/extrapolate.hpp"
 #include "lem/search/search.hpp"
+#include "material/every_law.hpp"
 #include "run/common/bars_of_case.hpp"
 #include "run/common/section_of_case.hpp"
 #include "run/fem/solid_of_case.hpp"

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "material/every_law.hpp"
 #include "mpm/solver/observe.hpp"
 #include "run/mpm/start/prepare.hpp"
 #include "support/wet_case.hpp"

@@ -14,6 +14,7 @@
 #include "site/initial_water.hpp"
 #include "site/roots.hpp"
 #include "support/scratch.hpp"
+#include "support/points.hpp"
 #include "support/wet_case.hpp"
 
 namespace talus {

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "base/error.hpp"
-#include "material/law.hpp"
+#include "material/every_law.hpp"
 #include "support/draw.hpp"
 #include "support/external_model.hpp"
 

@@ -7,6 +7,8 @@
 #include <random>
 #include <vector>
 
+#include "material/every_law.hpp"
+
 #include "mpm/kernels/pore_state.hpp"
 
 namespace talus {

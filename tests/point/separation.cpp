@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "material/law.hpp"
+#include "material/every_law.hpp"
 
 namespace talus::material {
 namespace {

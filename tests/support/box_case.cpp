@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "support/box_case.hpp"
 
+#include "support/soil_body.hpp"
+
 namespace talus::support {
 
 template <int D>

@@ -7,7 +7,7 @@
 
 #include "run/mpm/stage/stage.hpp"
 #include "run/mpm/start/prepare.hpp"
-#include "support/soil_body.hpp"
+#include "support/filling.hpp"
 
 namespace talus::support {
 

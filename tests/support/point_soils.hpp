@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "laboratory/point_test.hpp"
+#include "material/cam_clay.hpp"
 
 namespace talus::support {
 

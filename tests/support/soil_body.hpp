@@ -6,15 +6,16 @@
 #include <functional>
 #include <vector>
 
+#include "material/every_law.hpp"
 #include "mesh/points.hpp"
 #include "mpm/solver/build.hpp"
 #include "mpm/solver/observe.hpp"
 #include "reference/bodies.hpp"
+#include "support/filling.hpp"
+#include "support/points.hpp"
 
 namespace talus::support {
 
-template <int D>
-using Filling = std::type_identity_t<std::function<int(const Vec<D>& centroid)>>;  ///< material number, -1: no soil
 template <int D>
 using Start = std::type_identity_t<std::function<void(mpm::InitialPoint<D>&, const Vec<D>& x)>>;  ///< velocity, stress
 
@@ -77,14 +78,6 @@ mesh::Mesh<D> make_mesh(const std::array<int, D>& cells, const std::type_identit
 template <int D>
 void run_steps(mpm::Body<D>& body, const mpm::StepOptions<D>& options, int count) {
   for (int n = 0; n < count; ++n) mpm::step(body, options);
-}
-
-/// Calls work(view) for every point on the grid.
-template <int D, class Work>
-void for_each_point(const mpm::Body<D>& body, Work&& work) {
-  for (int id = 0; id < body.points.size(); ++id) {
-    if (mpm::is_present(body, id)) work(id, mpm::view_point(body, id));
-  }
 }
 
 /// Every combination of integration and smoothing, with its name.

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "fem/solid/solid.hpp"
+#include "material/every_law.hpp"
 #include "mesh/generate.hpp"
 
 namespace talus::support {

@@ -11,6 +11,7 @@
 
 #include "base/dual.hpp"
 #include "fem/solid/system.hpp"
+#include "material/every_law.hpp"
 #include "support/external_model.hpp"
 
 namespace talus::fem {

@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "site/initial_water.hpp"
 #include "site/pore_water.hpp"
+#include "support/points.hpp"
 #include "support/wet_case.hpp"
 
 namespace talus {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "material/every_law.hpp"
 #include "run/mpm/record/frame.hpp"
 
 namespace talus::run {

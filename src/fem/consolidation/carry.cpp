@@ -6,6 +6,7 @@
 
 #include "fem/consolidation/coupled_system.hpp"
 #include "fem/solid/softening.hpp"
+#include "material/every_law.hpp"
 
 namespace talus::fem {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "fem/solid/softening.hpp"
+#include "material/every_law.hpp"
 
 namespace talus::fem {
 namespace {

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "base/dual.hpp"
+#include "material/every_law.hpp"
 
 namespace talus::fem {
 namespace {

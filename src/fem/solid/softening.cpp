@@ -7,6 +7,7 @@
 #include <limits>
 #include <variant>
 
+#include "material/every_law.hpp"
 #include "mesh/near_elements.hpp"
 
 namespace talus::fem {

@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "fem/solid/softening.hpp"
 #include "fem/solid/system.hpp"
+#include "material/every_law.hpp"
 
 namespace talus::fem {
 

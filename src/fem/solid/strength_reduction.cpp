@@ -11,6 +11,7 @@
 
 #include "base/error.hpp"
 #include "base/progress.hpp"
+#include "material/every_law.hpp"
 
 namespace talus::fem {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "material/every_law.hpp"
 
 namespace talus::fem {
 
@@ -86,6 +87,14 @@ SolidAssembly<D>::SolidAssembly(const SolidSystem<D>& system, std::vector<materi
                                 const SpringStage& stage)
     : system_(system), laws_(std::move(laws)), threads_(threads > 0 ? threads : default_threads()), stage_(stage) {
   for (const auto& law : laws_) state_size_ = std::max(state_size_, material::state_size(law));
+}
+
+template <int D>
+SolidAssembly<D>::~SolidAssembly() = default;
+
+template <int D>
+const material::Law& SolidAssembly<D>::get_law(std::size_t k) const {
+  return laws_[static_cast<std::size_t>(system_.region(k))];
 }
 
 template <int D>

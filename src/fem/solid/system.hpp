@@ -107,10 +107,13 @@ class SolidAssembly {
   /// `laws` per region.
   SolidAssembly(const SolidSystem<D>& system, std::vector<material::Law> laws, int threads,
                 const SpringStage& stage = {});
+  ~SolidAssembly();
+  SolidAssembly(const SolidAssembly&) = delete;
+  SolidAssembly& operator=(const SolidAssembly&) = delete;
 
   /// Number of state variables per point.
   int state_size() const { return state_size_; }
-  const material::Law& get_law(std::size_t k) const { return laws_[static_cast<std::size_t>(system_.region(k))]; }
+  const material::Law& get_law(std::size_t k) const;
   /// Returns the initial state: stress and state variables of the model.
   SolidState<D> make_start() const;
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "input/case/checks.hpp"
-#include "material/law.hpp"
+#include "material/every_law.hpp"
 
 namespace talus::input {
 

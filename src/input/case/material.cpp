@@ -6,7 +6,7 @@
 #include "base/text.hpp"
 #include "input/case/checks.hpp"
 #include "input/language/visitor.hpp"
-#include "material/law.hpp"
+#include "material/every_law.hpp"
 
 namespace talus::input {
 

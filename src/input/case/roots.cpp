@@ -9,7 +9,6 @@
 
 #include "input/case/checks.hpp"
 #include "input/language/visitor.hpp"
-#include "material/law.hpp"
 
 namespace talus::input {
 
@@ -82,8 +81,9 @@ bool has_soil(const Case& data, RootEffect effect) {
 
 /// Returns the word of the first model with this effect of roots.
 const char* find_word(RootEffect effect) {
-  const auto& all = material::Laws::traits;
-  return std::find_if(all.begin(), all.end(), [&](const material::Traits& t) { return t.roots == effect; })->word;
+  int model = 0;
+  while (material::get_traits(material::Model(model)).roots != effect) ++model;
+  return material::get_traits(material::Model(model)).word;
 }
 
 bool gives_cohesion(const Roots& roots) {

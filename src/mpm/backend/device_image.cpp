@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "base/parallel.hpp"
+#include "material/every_law.hpp"
 #include "mpm/backend/thread_body.hpp"
 #include "mpm/kernels/pressure_kernels.hpp"
 #include "mpm/kernels/softening.hpp"

@@ -70,7 +70,7 @@ struct DeviceLaws {
 inline StoredLaw store_law(const material::Law& law) {
   StoredLaw stored{};
   stored.states = material::state_size(law);
-  stored.softens = material::get_traits(law).softens;
+  stored.softens = material::traits_of(law).softens;
   std::visit(
       [&](const auto& given) {
         const auto& kernel = material::get_kernel(given);

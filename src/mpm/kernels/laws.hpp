@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "material/law.hpp"
+#include "material/every_law.hpp"
 #include "mpm/state/body.hpp"
 
 namespace talus::mpm {
@@ -53,7 +53,7 @@ inline double find_gap(const std::vector<material::Law>& laws, int m, const doub
   return material::find_gap(laws[m], state);
 }
 inline bool law_softens(const std::vector<material::Law>& laws, std::uint32_t m) {
-  return material::get_traits(laws[m]).softens;
+  return material::traits_of(laws[m]).softens;
 }
 void visit_law(const std::vector<material::Law>& laws, std::uint32_t m, auto&& work) {
   std::visit([&](const auto& law) { work(material::get_kernel(law)); }, laws[m]);

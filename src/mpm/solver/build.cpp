@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "base/ranks.hpp"
+#include "material/every_law.hpp"
 #include "mpm/kernels/element_kernels.hpp"
 #include "mpm/kernels/laws.hpp"
 #include "mpm/kernels/point_kernels.hpp"

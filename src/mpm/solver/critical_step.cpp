@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "material/every_law.hpp"
 #include "mpm/kernels/element_kernels.hpp"
 #include "mpm/kernels/pore_state.hpp"
 #include "mpm/solver/observe.hpp"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "material/every_law.hpp"
 #include "mpm/kernels/observe_kernels.hpp"
 
 namespace talus::mpm {

@@ -181,6 +181,14 @@ struct Partition;  // partition.hpp
 
 template <int D>
 struct Body {
+  // Out of line, so that the laws are known by name only.
+  Body();
+  Body(const Body&);
+  Body(Body&&) noexcept;
+  Body& operator=(const Body&);
+  Body& operator=(Body&&) noexcept;
+  ~Body();
+
   // Interface that the kernels of the step require of a body; ThreadBody has it on a GPU.
   static constexpr int dimension = D, width = lane_width;  ///< elements of a block
   static constexpr bool adds_to_sums = true;               ///< rows of sums are shared by several elements

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "input/case/support.hpp"
 #include "report/words/words.hpp"
 
 #include <fmt/format.h>
@@ -7,7 +8,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "material/law.hpp"
 #include "report/content/choices.hpp"
 #include "report/content/materials.hpp"
 #include "report/content/water.hpp"
@@ -20,7 +20,8 @@ using nlohmann::json;
 namespace {
 
 void add_soil_methods(const input::Case& data, json& methods) {
-  for (const material::Traits& law : material::Laws::traits) {
+  for (int i = 0; i < material::model_count; ++i) {
+    const material::Traits& law = material::get_traits(material::Model(i));
     if (std::none_of(data.materials.begin(), data.materials.end(),
                      [&](const auto& named) { return named.second.traits().word == law.word; }))
       continue;
@@ -273,9 +274,10 @@ class Assumptions {
 
   /// Adds the assumptions of the constitutive laws, once for all materials of a family.
   void add_models() {
-    for (std::size_t i = 0; i < material::Laws::traits.size(); ++i) {
-      const material::Traits& law = material::Laws::traits[i];
-      if (!law.assumption || (i > 0 && law.assumption == material::Laws::traits[i - 1].assumption)) continue;
+    for (int i = 0; i < material::model_count; ++i) {
+      const material::Traits& law = material::get_traits(material::Model(i));
+      if (!law.assumption || (i > 0 && law.assumption == material::get_traits(material::Model(i - 1)).assumption))
+        continue;
       std::vector<std::string> names;
       for (const auto& [name, soil] : data_.materials)
         if (soil.traits().assumption == law.assumption) names.push_back(name);

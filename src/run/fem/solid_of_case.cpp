@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "input/case/support.hpp"
+#include "material/every_law.hpp"
 #include "mesh/generate.hpp"
 #include "mesh/locate.hpp"
 #include "run/common/bars_of_case.hpp"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "material/every_law.hpp"
 #include "mpm/solver/observe.hpp"
 #include "mpm/two_velocity/kernels.hpp"
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "material/every_law.hpp"
 #include "mpm/state/partition.hpp"
 #include "run/mpm/stage/stage_warnings.hpp"
 

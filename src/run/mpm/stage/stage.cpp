@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "material/every_law.hpp"
 #include "mpm/state/partition.hpp"
 #include "run/mpm/stage/recovery.hpp"
 
@@ -16,9 +17,8 @@ template <int D>
 int find_step_interval(const mpm::Body<D>& body) {
   constexpr int changing = 4;
   static_assert(look_interval % changing == 0, "a checkpoint, which is made at a look, has the step that follows it");
-  const bool follows = std::any_of(body.laws.begin(), body.laws.end(), [](const material::Law& law) {
-    return material::get_traits(law).changes_stiffness;
-  });
+  const bool follows = std::any_of(body.laws.begin(), body.laws.end(),
+                                   [](const material::Law& law) { return material::traits_of(law).changes_stiffness; });
   return follows ? changing : look_interval;
 }
 

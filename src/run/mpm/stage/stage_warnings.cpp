@@ -10,6 +10,7 @@
 #include <tuple>
 #include <vector>
 
+#include "material/every_law.hpp"
 #include "mpm/solver/observe.hpp"
 #include "mpm/state/partition.hpp"
 
@@ -132,7 +133,7 @@ SoftElements gather(const mpm::Body<D>& body) {
     if (!mpm::is_present(body, id)) continue;
     const auto p = mpm::view_point(body, id);
     const auto& law = body.laws[static_cast<std::size_t>(p.material)];
-    if (!material::get_traits(law).softens) continue;
+    if (!material::traits_of(law).softens) continue;
     const auto element = static_cast<std::size_t>(body.points.element[static_cast<std::size_t>(id)]);
     e.volume[element] += p.volume;
     e.strain[element] += p.volume * p.plastic_strain;
@@ -200,7 +201,7 @@ std::optional<SoftBand> find_soft_band(const mpm::Body<D>& body) {
 template <int D>
 StageHooks<D> watch_bands(const mpm::Body<D>& body, StageHooks<D> hooks) {
   if (std::none_of(body.laws.begin(), body.laws.end(),
-                   [](const material::Law& law) { return material::get_traits(law).softens; }))
+                   [](const material::Law& law) { return material::traits_of(law).softens; }))
     return hooks;
   hooks.output = [record = std::move(hooks.output)](Pause<D>& now, StageState& state) {
     record(now, state);
@@ -219,7 +220,7 @@ std::optional<std::string> describe_narrow_band(const mpm::Body<D>& body, const 
   if (state.soft_band == 0 || !depends) return std::nullopt;
   std::vector<std::string> soils;
   for (std::size_t m = 0; m < body.laws.size(); ++m)
-    if (material::get_traits(body.laws[m]).softens) soils.push_back("'" + body.material_names[m] + "'");
+    if (material::traits_of(body.laws[m]).softens) soils.push_back("'" + body.material_names[m] + "'");
   return fmt::format(
       "soil that softens ({}) sheared in a band of {:.2g} elements of {}: when it moves, and how deep, depend on "
       "their size. {}",

@@ -2,16 +2,19 @@
 #pragma once
 // Steps of a stage on the processor or on the device of the run, and the choice of that device.
 
-#include <optional>
+#include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "input/case/case.hpp"
-#include "mpm/solver/device_stepper.hpp"
 #include "mpm/solver/observe.hpp"
 #include "run/common/run_folder.hpp"
 #include "run/mpm/stage/hooks.hpp"
+
+namespace talus::mpm {
+template <int D>
+class DeviceStepper;
+}
 
 namespace talus::run {
 
@@ -20,42 +23,26 @@ namespace talus::run {
 template <int D>
 class Stepper : public Pause<D> {
  public:
-  Stepper(mpm::Body<D>& body, const StagePlan<D>& plan) : body_(body) {
-    if (body.water.is_wet() && plan.step.water == input::WaterMotion::flows)
-      return;  // devices do not support the two-velocity formulation
-    if (auto device = mpm::make_device<D>()) device_.emplace(std::move(device));
-  }
+  Stepper(mpm::Body<D>& body, const StagePlan<D>& plan);
+  ~Stepper();
 
-  void step(const mpm::StepOptions<D>& options) { device_ ? device_->step(body_, options) : mpm::step(body_, options); }
-  void filter_null_modes(const mpm::StepOptions<D>& options) {
-    device_ ? device_->filter_null_modes(body_) : mpm::filter_null_modes(body_, options);
-  }
-  mpm::CriticalStep find_critical_step(const StagePlan<D>& plan, const mpm::StepOptions<D>& options) {
-    return device_ ? device_->find_critical_step(body_, options) : run::find_critical_step(body_, plan);
-  }
-  double find_largest_displacement() {
-    return device_ ? device_->find_largest_displacement(body_) : mpm::find_largest_displacement(body_).value;
-  }
+  void step(const mpm::StepOptions<D>& options);
+  void filter_null_modes(const mpm::StepOptions<D>& options);
+  mpm::CriticalStep find_critical_step(const StagePlan<D>& plan, const mpm::StepOptions<D>& options);
+  double find_largest_displacement();
   const mpm::Body<D>& known() override { return body_; }
   const mpm::Body<D>& whole() override { return copy_back(); }
-  mpm::Observation<D> observe(const Vec<D>& gravity, const std::vector<int>& points) override {
-    return device_ ? device_->observe(body_, gravity, points) : mpm::observe(body_, gravity, points);
-  }
+  mpm::Observation<D> observe(const Vec<D>& gravity, const std::vector<int>& points) override;
   mpm::CriticalStep find_critical_step(const StagePlan<D>& plan) override {
     return find_critical_step(plan, make_options(plan));
   }
-  mpm::Body<D>& copy_back() {
-    if (device_) device_->copy_back(body_);
-    return body_;
-  }
+  mpm::Body<D>& copy_back();
   /// Must be called after the body was changed on the host, or replaced by another one.
-  void note_change() {
-    if (device_) device_->note_change();
-  }
+  void note_change();
 
  private:
   mpm::Body<D>& body_;
-  std::optional<mpm::DeviceStepper<D>> device_;
+  std::unique_ptr<mpm::DeviceStepper<D>> device_;  ///< null: the steps run on the processor
 };
 
 /// Parses the argument of --device. Throws Error (wrong_input) for an unknown one.

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "input/case/soil_water_law.hpp"
+#include "material/every_law.hpp"
 #include "mesh/locate.hpp"
 #include "mesh/points.hpp"
 #include "mpm/kernels/pore_state.hpp"
