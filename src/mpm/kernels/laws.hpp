@@ -4,11 +4,21 @@
 // per block), or one per lane, applied law by law under masks. There is no branch per point.
 
 #include <algorithm>
+#include <type_traits>
 
 #include "material/every_law.hpp"
 #include "mpm/state/body.hpp"
 
 namespace talus::mpm {
+
+/// Number of states without the gap, which is the last one and zero in most blocks, where it need not be read.
+template <class L>
+constexpr int count_core_states() {
+  if constexpr (requires { L::gap_states; })
+    return L::state_size - L::gap_states;
+  else
+    return L::state_size;
+}
 
 /// All points of the block have this law. Kept is the law itself, whose copied parameters stay in registers and not
 /// behind a pointer that a store might alias, or a reference where registers are scarce (GPU).
@@ -17,13 +27,7 @@ struct OneLaw {
   static constexpr bool is_single = true;
   static constexpr bool is_plastic = L::is_plastic, softens = L::traits.softens;
   static constexpr int state_size = L::state_size;
-  /// Number of states without the gap, which is the last one and zero in most blocks, where it need not be read.
-  static constexpr int core_size = [] {
-    if constexpr (requires { L::gap_states; })
-      return L::state_size - L::gap_states;
-    else
-      return L::state_size;
-  }();
+  static constexpr int core_size = count_core_states<L>();
   template <class T>
   TALUS_PORTABLE static MaskOf<T> find_softening(T /*material*/) {
     return MaskOf<T>(softens);
@@ -34,6 +38,35 @@ struct OneLaw {
   TALUS_KERNEL material::Response<T> update(T* sigma, const T* d_epsilon, T* state, MaskOf<T> active, T /*material*/,
                                             const material::Surroundings<T>& around) const {
     return law.template update<NS>(sigma, d_epsilon, state, active, around);
+  }
+};
+
+/// Laws that iterate or call a library, point by point: a call costs little beside their update, and the passes need
+/// not be compiled for each of them.
+template <class L>
+inline constexpr bool is_called = L::traits.is_opaque;
+
+/// The update of a law that is called; compiled once, in laws.cpp.
+template <int NS>
+material::Response<Pack> update_called(const material::Law& law, Pack* sigma, const Pack* d_epsilon, Pack* state,
+                                       MaskOf<Pack> active, const material::Surroundings<Pack>& around);
+
+/// All points of the block have this law, which is called.
+struct CalledLaw {
+  static constexpr bool is_single = true;
+  static constexpr bool is_plastic = true, softens = true;
+  const material::Law& law;
+  int state_size, core_size;
+  bool is_softening;
+
+  template <class T>
+  MaskOf<T> find_softening(T /*material*/) const {
+    return MaskOf<T>(is_softening);
+  }
+  template <int NS>
+  material::Response<Pack> update(Pack* sigma, const Pack* d_epsilon, Pack* state, MaskOf<Pack> active,
+                                  Pack /*material*/, const material::Surroundings<Pack>& around) const {
+    return update_called<NS>(law, sigma, d_epsilon, state, active, around);
   }
 };
 
@@ -127,7 +160,7 @@ inline int find_state_size(const std::vector<material::Law>& laws) {
   return size;
 }
 
-/// Calls work(OneLaw) or work(ManyLaws) for the set of materials in `present`.
+/// Calls work(OneLaw), work(CalledLaw) or work(ManyLaws) for the set of materials in `present`.
 void visit_laws(const std::vector<material::Law>& laws, std::uint32_t present, auto&& work) {
   if ((present & (present - 1)) != 0) {
     work(ManyLaws<>{&laws, present, find_state_size(laws)});
@@ -137,7 +170,11 @@ void visit_laws(const std::vector<material::Law>& laws, std::uint32_t present, a
   std::visit(
       [&](const auto& law) {
         const auto& kernel = material::get_kernel(law);
-        work(OneLaw<std::decay_t<decltype(kernel)>>{kernel});
+        using L = std::decay_t<decltype(kernel)>;
+        if constexpr (is_called<L>)
+          work(CalledLaw{laws[m], L::state_size, count_core_states<L>(), L::traits.softens});
+        else
+          work(OneLaw<L>{kernel});
       },
       laws[m]);
 }
