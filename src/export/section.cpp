@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/units.hpp"
+#include "input/case/support.hpp"
 #include "mesh/planar.hpp"
 #include "output/plots/gnuplot.hpp"
 #include "site/initial_water.hpp"

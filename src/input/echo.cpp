@@ -20,6 +20,7 @@
 #include "input/case/case.hpp"
 #include "input/case/checks.hpp"
 #include "input/case/material.hpp"
+#include "input/case/support.hpp"
 #include "input/language/codec_types.hpp"
 #include "input/language/parse.hpp"
 

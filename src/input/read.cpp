@@ -18,6 +18,7 @@
 #include "input/case/checks.hpp"
 #include "input/case/pressure_table.hpp"
 #include "input/case/series_file.hpp"
+#include "input/case/support.hpp"
 #include "input/case/uncertain_number.hpp"
 #include "input/catalogue.hpp"
 #include "input/echo.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "input/case/compare.hpp"
 #include "laboratory/point_test.hpp"
 
 #include <fmt/format.h>

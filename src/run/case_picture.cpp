@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "input/case/support.hpp"
 #include "run/picture_parts.hpp"
 #include "site/ground_line.hpp"
 

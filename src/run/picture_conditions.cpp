@@ -10,6 +10,7 @@
 
 #include "base/numbers.hpp"
 #include "input/case/geometry.hpp"
+#include "input/case/support.hpp"
 #include "mesh/planar.hpp"
 #include "run/picture_parts.hpp"
 #include "site/ground_line.hpp"

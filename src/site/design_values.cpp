@@ -12,6 +12,7 @@
 #include "base/error.hpp"
 #include "base/numbers.hpp"
 #include "input/case/partial_factors.hpp"
+#include "input/case/support.hpp"
 #include "results/bounds.hpp"
 
 namespace talus::site {

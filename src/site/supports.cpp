@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "input/case/support.hpp"
 
 namespace talus::site {
 

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "input/case/support.hpp"
 #include "lem/search/search.hpp"
 #include "run/lem/run_lem.hpp"
 #include "support/slopes.hpp"

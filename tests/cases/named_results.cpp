@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "input/case/compare.hpp"
 #include "run/mpm/record/motion.hpp"
 #include "support/run_json.hpp"
 #include "support/scratch.hpp"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // [[compare]]: names, units and tolerances of the expected values.
 
+#include "input/case/compare.hpp"
 #include "input/case/result_names.hpp"
 #include "results/named.hpp"
 #include "run/digest.hpp"

@@ -12,6 +12,7 @@
 #include "base/text.hpp"
 #include "base/units.hpp"
 #include "input/case/checks.hpp"
+#include "input/case/compare.hpp"
 #include "input/case/result_names.hpp"
 #include "input/case/series_file.hpp"
 #include "input/case/uncertain_number.hpp"

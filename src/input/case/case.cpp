@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "input/case/case.hpp"
 
+#include "input/case/compare.hpp"
+#include "input/case/support.hpp"
 #include "input/language/visitor.hpp"
 
 namespace talus::input {

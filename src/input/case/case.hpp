@@ -12,7 +12,6 @@
 #include "input/case/analysis.hpp"
 #include "input/case/boundary.hpp"
 #include "input/case/calibration.hpp"
-#include "input/case/compare.hpp"
 #include "input/case/construction.hpp"
 #include "input/case/elements_and_bounds.hpp"
 #include "input/case/geometry.hpp"
@@ -27,11 +26,14 @@
 #include "input/case/stage.hpp"
 #include "input/case/start.hpp"
 #include "input/case/study.hpp"
-#include "input/case/support.hpp"
 #include "input/case/timeline.hpp"
 #include "input/case/water.hpp"
 
 namespace talus::input {
+
+// Blocks that the case holds in lists: who reads them includes their headers.
+struct Compare;
+struct Support;
 
 /// Version of the meaning of the keys. It increases when a valid case becomes invalid or changes its meaning.
 inline constexpr int newest_format = 1;

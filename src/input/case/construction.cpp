@@ -11,6 +11,7 @@
 #include <set>
 
 #include "input/case/checks.hpp"
+#include "input/case/support.hpp"
 #include "input/language/visitor.hpp"
 #include "mesh/cover.hpp"
 #include "mesh/planar.hpp"

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "input/case/support.hpp"
 #include "run/common/section_of_case.hpp"
 #include "run/common/walls_of_case.hpp"
 #include "site/ground_load.hpp"

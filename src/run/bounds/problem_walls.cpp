@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "input/case/support.hpp"
 #include "run/common/walls_of_case.hpp"
 #include "site/supports.hpp"
 

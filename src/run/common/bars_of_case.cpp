@@ -7,6 +7,7 @@
 #include <cmath>
 #include <memory>
 
+#include "input/case/support.hpp"
 #include "lem/section/bars.hpp"
 #include "mesh/planar.hpp"
 #include "run/common/head.hpp"

@@ -12,6 +12,7 @@
 #include "base/lane.hpp"
 #include "base/units.hpp"
 #include "base/version.hpp"
+#include "input/case/compare.hpp"
 #include "input/case/result_names.hpp"
 #include "results/named.hpp"
 

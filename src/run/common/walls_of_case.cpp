@@ -9,6 +9,7 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "input/case/support.hpp"
 #include "mesh/generate.hpp"
 #include "mesh/planar.hpp"
 #include "mesh/split.hpp"

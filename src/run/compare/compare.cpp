@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "input/case/support.hpp"
 #include "results/governing.hpp"
 #include "run/common/head.hpp"
 #include "run/common/walls_of_case.hpp"

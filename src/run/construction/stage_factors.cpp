@@ -7,6 +7,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/user_file.hpp"
+#include "input/case/support.hpp"
 #include "input/echo.hpp"
 #include "results/governing.hpp"
 #include "results/json.hpp"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "input/case/support.hpp"
 #include "run/lem/run_lem.hpp"
 
 namespace talus::run {

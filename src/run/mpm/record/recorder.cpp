@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "base/progress.hpp"
 #include "base/units.hpp"
+#include "input/case/support.hpp"
 #include "mpm/solver/observe.hpp"
 #include "run/mpm/record/checkpoint.hpp"
 #include "run/mpm/record/frame.hpp"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "input/case/support.hpp"
 #include "mesh/locate.hpp"
 #include "mesh/quality.hpp"
 #include "mpm/solver/bars.hpp"
