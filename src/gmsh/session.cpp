@@ -202,3 +202,7 @@ template Mesh<2> extract_mesh<2>(const Naming&);
 template Mesh<3> extract_mesh<3>(const Naming&);
 
 }  // namespace talus::mesh
+
+extern "C" std::size_t talus_gmsh_layout() {
+  return talus::mesh::gmsh_layout;
+}

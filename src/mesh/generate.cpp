@@ -125,14 +125,16 @@ Plan put_in_order(Plan plan) {
   return plan;
 }
 
-/// Returns a function of the module by its name, which ends with the dimension. The library is loaded once in the
-/// process, and the children have it.
+/// Returns a function of the module of Gmsh by its name. The library is loaded once in the process, and the children
+/// have it.
 template <class Function>
-Function* load_gmsh(const std::string& name, int dimension) {
+Function* load_gmsh(const std::string& name) {
   std::string why;
-  void* function = load_module("libtalus_gmsh.so", (name + std::to_string(dimension)).c_str(), false, why);
+  void* function = load_module("libtalus_gmsh.so", name.c_str(), false, why);
   if (function == nullptr)
-    throw Error(ExitCode::internal_error, "the module of Gmsh, which makes the meshes, is not beside the program: {}",
+    throw Error(ExitCode::internal_error,
+                "meshes are made by Gmsh in libtalus_gmsh.so, which is built with the program and is not beside it "
+                "({})",
                 why);
   return reinterpret_cast<Function*>(function);
 }
@@ -222,8 +224,10 @@ Mesh<D> generate(const Plan& plan) {
   const bool is_made = plan.file.empty();
   const Plan checked = is_made ? check_plan(plan) : plan;
   if (!is_made) check_mesh_file(plan.file);
-  auto& mesh_by_gmsh = *load_gmsh<MeshPlan<D>>("talus_mesh_plan_", D);
-  auto& read_by_gmsh = *load_gmsh<ReadMesh<D>>("talus_read_mesh_", D);
+  if (load_gmsh<decltype(talus_gmsh_layout)>("talus_gmsh_layout")() != gmsh_layout)
+    throw Error(ExitCode::internal_error, "libtalus_gmsh.so is of another build than the program");
+  auto& mesh_by_gmsh = *load_gmsh<MeshPlan<D>>("talus_mesh_plan_" + std::to_string(D));
+  auto& read_by_gmsh = *load_gmsh<ReadMesh<D>>("talus_read_mesh_" + std::to_string(D));
   Message message;
   try {
     message = do_in_child("the mesh was made", [&](Message& answer) {

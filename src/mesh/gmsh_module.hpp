@@ -7,6 +7,7 @@
 // (base/foreign_code.hpp).
 
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -30,7 +31,13 @@ struct Naming {
   std::function<std::vector<std::string>(int entity, const std::array<double, 3>& place)> sides;
 };
 
+/// Hash of the sizes of exchanged structures; differs between builds that are incompatible.
+inline constexpr std::size_t gmsh_layout = sizeof(Plan) + 31 * (sizeof(Naming) + 31 * sizeof(Mesh<3>));
+
 }  // namespace talus::mesh
+
+/// Returns gmsh_layout of the module.
+extern "C" std::size_t talus_gmsh_layout();
 
 /// Meshes a checked plan whose polygons and lines are in canonical order, and writes for each node in which directions
 /// it may move on the geometry of the plan; finish() must follow. Throws Error (wrong_input) if Gmsh fails.

@@ -42,6 +42,24 @@ TEST(Program, ChecksItsOwnTemplate) {
   EXPECT_NE(checked.text.find("\n    about 3,070 elements, "), std::string::npos) << checked.text;
 }
 
+TEST(Program, WithoutItsModulesSaysWhichIsMissing) {
+  const std::filesystem::path alone = support::name_scratch("alone");
+  std::filesystem::create_directories(alone);
+  std::filesystem::copy_file(TALUS_PROGRAM, alone / "talus", std::filesystem::copy_options::overwrite_existing);
+  const std::string path = write_file("talus_modules.toml", all_three);
+  const auto run = [&](const std::string& more) {
+    return support::run_command((alone / "talus").string() + " run " + path + " -o " + (alone / "results").string() +
+                                " " + more);
+  };
+  const Outcome meshless = run("");
+  EXPECT_NE(meshless.code, 0);
+  EXPECT_NE(meshless.text.find("libtalus_gmsh.so"), std::string::npos) << meshless.text;
+  const Outcome emulated = run("--device emulated");
+  EXPECT_EQ(emulated.code, 2);
+  EXPECT_NE(emulated.text.find("built without the emulated device, which `make test` builds"), std::string::npos)
+      << emulated.text;
+}
+
 TEST(Program, PrintsWhatEachMethodCalculates) {
   const std::string path = write_file("talus_methods.toml", all_three +
                                                                 "[lem]\nmethods = [\"bishop\", \"spencer\"]\n"

@@ -18,15 +18,20 @@ struct Outcome {
   std::string text;  ///< both output streams
 };
 
-/// Runs `talus` in a shell; `environment` holds assignments such as "PMI_SIZE=4".
-inline Outcome run_program(const std::string& arguments, const std::string& environment = "") {
+/// Runs a command in a shell.
+inline Outcome run_command(const std::string& command) {
   Outcome outcome;
-  FILE* pipe = popen((environment + " '" TALUS_PROGRAM "' " + arguments + " 2>&1").c_str(), "r");
+  FILE* pipe = popen((command + " 2>&1").c_str(), "r");
   std::array<char, 4096> buffer{};
   while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) outcome.text.append(buffer.data(), n);
   const int status = pclose(pipe);
   if (WIFEXITED(status)) outcome.code = WEXITSTATUS(status);
   return outcome;
+}
+
+/// Runs `talus` in a shell; `environment` holds assignments such as "PMI_SIZE=4".
+inline Outcome run_program(const std::string& arguments, const std::string& environment = "") {
+  return run_command(environment + " '" TALUS_PROGRAM "' " + arguments);
 }
 
 /// The bytes of a file; empty where it cannot be read.
