@@ -35,6 +35,7 @@
 #include "base/user_file.hpp"
 
 #ifdef __linux__
+#include <sys/auxv.h>
 #include <sys/prctl.h>
 #endif
 
@@ -400,8 +401,11 @@ std::vector<std::string> list_folders() {
   const bool known = dladdr(reinterpret_cast<void*>(&list_folders), &own) != 0 && own.dli_fname != nullptr;
   std::filesystem::path file = known ? std::filesystem::canonical(own.dli_fname, ignored) : "";
   const bool is_library = file.extension() == ".so";
-  // For a program dladdr() returns argv[0], which need not be a path.
+#ifdef __linux__
+  // For a program dladdr() returns argv[0], which need not be a path. AT_EXECFN is for systems without /proc.
   if (!is_library) file = std::filesystem::read_symlink("/proc/self/exe", ignored);
+  if (file.empty()) file = std::filesystem::canonical(reinterpret_cast<const char*>(getauxval(AT_EXECFN)), ignored);
+#endif
   const std::string folder = file.parent_path().string();
   if (is_library) return {folder + "/", folder + "/../../../talus/", folder + "/../", folder + "/../../bin/"};
   return {folder + "/", folder + "/../lib/talus/"};
