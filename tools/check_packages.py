@@ -13,7 +13,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 LIST = re.compile(r"tools/apt-packages[\w-]*\.txt")
 # Module of src/ → the package it is made with
-MODULES = {"talus_gdal": "libgdal-dev", "talus_xlsx": "libxlsxwriter-dev", "talus_http": "libcpp-httplib-dev", "talus_ranks": "petsc-dev"}
+MODULES = {"talus_gmsh": "libgmsh-dev", "talus_gdal": "libgdal-dev", "talus_xlsx": "libxlsxwriter-dev", "talus_http": "libcpp-httplib-dev", "talus_ranks": "petsc-dev"}
 # Module of Python → its package; PIL comes with matplotlib
 IMPORTS = {"h5py": "python3-h5py", "matplotlib": "python3-matplotlib", "numpy": "python3-numpy", "PIL": "python3-matplotlib",
            "pytest": "python3-pytest", "tomli_w": "python3-tomli-w"}
