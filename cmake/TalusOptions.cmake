@@ -37,8 +37,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(talus_options INTERFACE -Wno-psabi -Wno-maybe-uninitialized -Wno-restrict -Wno-array-bounds -Wno-stringop-overflow
     -Wno-stringop-overread -fpch-preprocess --param=ggc-min-heapsize=500000 --param=ggc-min-expand=200)
 else()
-  # clang's -Wconversion includes signedness, GCC's does not; container indices are plain ints here.
-  target_compile_options(talus_options INTERFACE -Wno-sign-conversion)
+  # clang's -Wconversion includes signedness, GCC's does not; container indices are plain ints here. -Wno-psabi: as for GCC.
+  target_compile_options(talus_options INTERFACE -Wno-sign-conversion -Wno-psabi)
 endif()
 if(TALUS_SANITIZE)
   target_compile_options(talus_options INTERFACE -fsanitize=address,undefined -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
