@@ -9,8 +9,8 @@
 
 #include "output/files/archive.hpp"
 #include "run/mpm/record/checkpoint.hpp"
-#include "support/scratch.hpp"
 #include "support/points.hpp"
+#include "support/scratch.hpp"
 #include "support/wet_case.hpp"
 
 namespace talus {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reads a case with the installed library, makes its mesh, for which the module of Gmsh is loaded, and prints its title.
+// Reads a case with the installed library, makes its mesh, for which the module of Gmsh is loaded, and prints its
+// title.
 
 #include <cstdio>
 

@@ -13,8 +13,8 @@
 #include "run/mpm/record/water_record.hpp"
 #include "site/initial_water.hpp"
 #include "site/roots.hpp"
-#include "support/scratch.hpp"
 #include "support/points.hpp"
+#include "support/scratch.hpp"
 #include "support/wet_case.hpp"
 
 namespace talus {
