@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "input/case/checks.hpp"
+#include "input/case/compare.hpp"
+#include "input/case/support.hpp"
 #include "material/every_law.hpp"
 
 namespace talus::input {

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "bounds/find_bounds.hpp"
+#include "input/case/support.hpp"
 #include "run/bounds/problem_of_case.hpp"
 
 namespace talus::run {

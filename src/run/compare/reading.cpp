@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "input/case/support.hpp"
 #include "run/compare/compare.hpp"
 
 #include <fmt/format.h>
