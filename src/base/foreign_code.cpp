@@ -404,6 +404,7 @@ std::vector<std::string> list_folders() {
 #ifdef __linux__
   // For a program dladdr() returns argv[0], which need not be a path. AT_EXECFN is for systems without /proc.
   if (!is_library) file = std::filesystem::read_symlink("/proc/self/exe", ignored);
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): the kernel gives addresses as numbers
   if (file.empty()) file = std::filesystem::canonical(reinterpret_cast<const char*>(getauxval(AT_EXECFN)), ignored);
 #endif
   const std::string folder = file.parent_path().string();

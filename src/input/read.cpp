@@ -308,7 +308,7 @@ LoadedCase read_case_text(const std::string& text, const std::string& name, cons
     read_again(text, name, overrides, findings, loaded);
   if (!findings.empty()) throw InputError(findings.sort());
   loaded.places = std::move(places);
-  return loaded;
+  return static_cast<LoadedCase&&>(loaded);
 }
 
 LoadedCase read_case(const std::string& path, const std::vector<Override>& overrides, CaseScope scope) {

@@ -44,7 +44,7 @@ SolidResult<D> apply_loads(const SolidSystem<D>& system, SolidNewton<D>& newton,
     const double next = std::min(1.0, share + step);
     for (std::size_t i = 0; i < target.size(); ++i)
       target[i] = sums.force[i] + (next > 1 - 1e-12 ? 1 : next) * (system.load[i] - sums.force[i]);
-    const NewtonOutcome out = softening.solve(newton, assembly, now, target, end);
+    const SofteningOutcome out = softening.solve(newton, assembly, now, target, end);
     result.iterations += out.iterations;
     result.force_residual = out.force_residual;
     result.displacement_residual = out.displacement_residual;
