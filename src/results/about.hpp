@@ -18,6 +18,7 @@
 
 namespace talus::results {
 
+// NOLINTNEXTLINE(bugprone-forward-declaration-namespace): that of input/ has the same name
 class Visitor;  // results/described.hpp
 
 /// Unit and title of a key.

@@ -11,6 +11,7 @@
 
 namespace talus::input {
 
+// NOLINTNEXTLINE(bugprone-forward-declaration-namespace): that of results/ has the same name
 class Visitor;  // visitor.hpp
 
 /// One word of a choice and its meaning.
