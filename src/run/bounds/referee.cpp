@@ -23,7 +23,7 @@ constexpr int most_triangles = 2500, most_unproven = 3;
 /// Returns why limit analysis cannot judge this case; nullopt if it can.
 std::optional<std::string> find_obstacle(const input::Case& data) {
   if (data.mesh.dimension != 2) return "limit analysis is that of a plane section";
-  if (const auto why = input::find_support_obstacle(data)) return why;
+  if (auto why = input::find_support_obstacle(data)) return why;
   if (data.lem.drawdown) return "strengths after a rapid drawdown depend on the slip surface";
   for (const auto& [region, name] : data.regions) {
     const input::Material& material = data.materials.at(name);

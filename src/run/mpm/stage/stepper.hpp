@@ -24,7 +24,7 @@ template <int D>
 class Stepper : public Pause<D> {
  public:
   Stepper(mpm::Body<D>& body, const StagePlan<D>& plan);
-  ~Stepper();
+  ~Stepper() override;
 
   void step(const mpm::StepOptions<D>& options);
   void filter_null_modes(const mpm::StepOptions<D>& options);
