@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: MIT
 # Runs the checks that take too long for every change: all tests, also with sanitizers and with clang, every source through the linter, and
 # the campaigns that try to break the program. The last lines list minutes and result of each part; ends with 1 if one of them failed.
-# Usage: tools/nightly.sh [part …]; parts: tests asan tsan clang lint arm fuzz invariance cases meshes results kills disks calls
+# Usage: tools/nightly.sh [part …]; parts: tests asan asan_cases tsan clang lint arm fuzz invariance cases meshes results kills disks calls
 #        names files damage signals inputs readers
 set -uo pipefail
 cd "$(dirname "$0")/.."
 parts=("$@")
-[ ${#parts[@]} -gt 0 ] || parts=(tests asan tsan clang lint arm fuzz invariance cases meshes results kills disks calls names files damage signals inputs readers)
+[ ${#parts[@]} -gt 0 ] || parts=(tests asan asan_cases tsan clang lint arm fuzz invariance cases meshes results kills disks calls names files damage signals inputs readers)
 program=build/release/bin/talus
 told=()
 failed=0
@@ -16,6 +16,7 @@ do_part() {
   case "$1" in
     tests) make test-all ;;
     asan) make test-all PRESET=debug ;;
+    asan_cases) make program PRESET=debug && tools/sanitized_cases.py build/debug/bin/talus ;;
     tsan) make test PRESET=tsan ;;
     clang) make test-all PRESET=release-clang ;;
     lint) make lint ;;
