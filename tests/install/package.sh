@@ -22,7 +22,7 @@ cat >"$scratch/inside" <<'END'
 set -euo pipefail
 dpkg -i /package.deb >/dev/null
 talus version
-! ldd "$(command -v talus)" | grep 'not found'
+if ldd "$(command -v talus)" $(find /usr/lib/talus -name '*.so') | grep 'not found'; then exit 1; fi
 cp -r /usr/share/doc/talus/examples/sliding_block /tmp/block && cd /tmp/block
 talus check case.toml >/dev/null
 talus run case.toml -q -o results

@@ -31,8 +31,9 @@ def ask(*words):
 
 
 def list_linked(program):
-    """The Debian packages of the libraries that the loader loads."""
-    files = re.findall(r"=> (/\S+)", ask("ldd", program))
+    """The Debian packages of the libraries that the loader loads for the program and for the modules beside it."""
+    modules = sorted(pathlib.Path(program).parent.glob("libtalus_*.so"))
+    files = sorted({file for binary in (program, *modules) for file in re.findall(r"=> (/\S+)", ask("ldd", str(binary)))})
     packages = set()
     for file in files:
         for path in (file, str(pathlib.Path(file).resolve()), str(pathlib.Path(file).resolve()).removeprefix("/usr")):
