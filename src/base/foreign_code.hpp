@@ -73,12 +73,12 @@ class GuardedArray {
   std::size_t count_ = 0;
 };
 
-// Modules that are loaded at run time, because their dependencies (MPI, CUDA) are optional.
+// Modules that are loaded at run time, because their dependencies are optional (MPI, CUDA) or slow to load (Gmsh).
 
-/// Loads a module such as "libtalus_ranks.so" from the program's folder or from lib/talus of the installation or of the
-/// Python package, and returns its function `maker`. Returns nullptr with the reason in `why` if there is no such
-/// module. Throws Error (wrong_input) if it is of another version. `global`: its symbols are visible to libraries that
-/// it loads.
+/// Loads a module such as "libtalus_ranks.so" from the program's folder, from lib/talus of the installation or of the
+/// Python package, or from where the loader looks, and returns its function `maker`. Returns nullptr with the reason in
+/// `why` if there is no such module. Throws Error (wrong_input) if it is of another version. `global`: its symbols are
+/// visible to libraries that it loads.
 void* load_module(const std::string& name, const char* maker, bool global, std::string& why);
 
 }  // namespace talus

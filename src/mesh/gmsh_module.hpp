@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 // Interface of the module libtalus_gmsh.so, which contains all that calls Gmsh. The program loads it when it needs a
-// mesh: Gmsh brings 90 libraries, which would take most of the time of a program that starts and ends.
+// mesh: Gmsh brings nearly 80 libraries, which would take most of the time of a program that starts and ends.
 //
 // Gmsh may crash and does not check for signals, so these functions are called in a child process only
 // (base/foreign_code.hpp).

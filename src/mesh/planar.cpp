@@ -208,6 +208,8 @@ double measure_soil_angle(const Plan& plan, const Point2& x, double radius) {
 
 }  // namespace
 
+// These two of plan.hpp are here and not beside the checks, because the module of Gmsh is linked with this file.
+
 double get_tolerance(const Plan& plan) {
   return 1e-6 * plan.size;
 }
