@@ -6,6 +6,7 @@
 #include <chrono>
 #include <optional>
 
+#include "mpm/kernels/called_law.hpp"
 #include "mpm/kernels/g2p_p2g_kernels.hpp"
 #include "mpm/kernels/softening.hpp"
 #include "mpm/state/partition.hpp"

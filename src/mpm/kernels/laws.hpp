@@ -4,7 +4,6 @@
 // per block), or one per lane, applied law by law under masks. There is no branch per point.
 
 #include <algorithm>
-#include <type_traits>
 
 #include "material/every_law.hpp"
 #include "mpm/state/body.hpp"
@@ -38,35 +37,6 @@ struct OneLaw {
   TALUS_KERNEL material::Response<T> update(T* sigma, const T* d_epsilon, T* state, MaskOf<T> active, T /*material*/,
                                             const material::Surroundings<T>& around) const {
     return law.template update<NS>(sigma, d_epsilon, state, active, around);
-  }
-};
-
-/// Laws that iterate or call a library, point by point: a call costs little beside their update, and the passes need
-/// not be compiled for each of them.
-template <class L>
-inline constexpr bool is_called = L::traits.is_opaque;
-
-/// The update of a law that is called; compiled once, in laws.cpp.
-template <int NS>
-material::Response<Pack> update_called(const material::Law& law, Pack* sigma, const Pack* d_epsilon, Pack* state,
-                                       MaskOf<Pack> active, const material::Surroundings<Pack>& around);
-
-/// All points of the block have this law, which is called.
-struct CalledLaw {
-  static constexpr bool is_single = true;
-  static constexpr bool is_plastic = true, softens = true;
-  const material::Law& law;
-  int state_size, core_size;
-  bool is_softening;
-
-  template <class T>
-  MaskOf<T> find_softening(T /*material*/) const {
-    return MaskOf<T>(is_softening);
-  }
-  template <int NS>
-  material::Response<Pack> update(Pack* sigma, const Pack* d_epsilon, Pack* state, MaskOf<Pack> active,
-                                  Pack /*material*/, const material::Surroundings<Pack>& around) const {
-    return update_called<NS>(law, sigma, d_epsilon, state, active, around);
   }
 };
 
@@ -158,25 +128,6 @@ inline int find_state_size(const std::vector<material::Law>& laws) {
   int size = 0;
   for (const material::Law& law : laws) size = std::max(size, material::state_size(law));
   return size;
-}
-
-/// Calls work(OneLaw), work(CalledLaw) or work(ManyLaws) for the set of materials in `present`.
-void visit_laws(const std::vector<material::Law>& laws, std::uint32_t present, auto&& work) {
-  if ((present & (present - 1)) != 0) {
-    work(ManyLaws<>{&laws, present, find_state_size(laws)});
-    return;
-  }
-  const auto m = present == 0 ? 0u : static_cast<unsigned>(__builtin_ctz(present));
-  std::visit(
-      [&](const auto& law) {
-        const auto& kernel = material::get_kernel(law);
-        using L = std::decay_t<decltype(kernel)>;
-        if constexpr (is_called<L>)
-          work(CalledLaw{laws[m], L::state_size, count_core_states<L>(), L::traits.softens});
-        else
-          work(OneLaw<L>{kernel});
-      },
-      laws[m]);
 }
 
 }  // namespace talus::mpm

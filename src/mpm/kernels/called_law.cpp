@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "mpm/kernels/laws.hpp"
+#include "mpm/kernels/called_law.hpp"
 
 #include <variant>
 
