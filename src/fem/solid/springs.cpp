@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "base/error.hpp"
+#include "fem/solid/line_shape.hpp"
 #include "fem/solid/shape.hpp"
 #include "fem/solid/system.hpp"
 
@@ -21,18 +22,8 @@ constexpr double outside = 1e-9;         ///< barycentric coordinate at which a 
 constexpr int fewest_pieces = 8;         ///< of the length of a bar outside the soil
 
 /// Points and weights of Gauss's rules on [0, 1].
-constexpr std::array<std::array<double, 2>, 2> two_points{
-    {{0.21132486540518711775, 0.5}, {0.78867513459481288225, 0.5}}};
 constexpr std::array<std::array<double, 2>, 3> three_points{
     {{0.11270166537925831148, 5.0 / 18}, {0.5, 8.0 / 18}, {0.88729833462074168852, 5.0 / 18}}};
-
-/// Shape functions of the nodes at 0, ½ and 1, and their derivatives.
-std::array<double, 3> compute_shape(double t) {
-  return {(1 - t) * (1 - 2 * t), 4 * t * (1 - t), t * (2 * t - 1)};
-}
-std::array<double, 3> compute_slope(double t) {
-  return {4 * t - 3, 4 - 8 * t, 4 * t - 1};
-}
 
 Vec<2> interpolate(const Vec<2>& a, const Vec<2>& b, double t) {
   return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])};

@@ -11,23 +11,14 @@
 #include <optional>
 
 #include "base/error.hpp"
+#include "fem/solid/line_shape.hpp"
 #include "fem/solid/shape.hpp"
 #include "fem/solid/system.hpp"
 
 namespace talus::fem {
 namespace {
 
-constexpr std::array<std::array<double, 2>, 2> two_points{
-    {{0.21132486540518711775, 0.5}, {0.78867513459481288225, 0.5}}};
 constexpr std::array<double, 3> simpson{1.0 / 6, 4.0 / 6, 1.0 / 6};
-
-/// Derivatives of the shape functions of the nodes at 0, ½ and 1, and the functions.
-std::array<double, 3> compute_slope(double t) {
-  return {4 * t - 3, 4 - 8 * t, 4 * t - 1};
-}
-std::array<double, 3> compute_shape(double t) {
-  return {(1 - t) * (1 - 2 * t), 4 * t * (1 - t), t * (2 * t - 1)};
-}
 
 /// Soil on one side of a piece: an element and its local nodes at both ends and in the middle.
 struct Face {
