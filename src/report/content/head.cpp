@@ -8,6 +8,7 @@
 
 #include "report/content/sequence.hpp"
 #include "report/folder/numbers.hpp"
+#include "report/words/words.hpp"
 #include "results/named.hpp"
 
 namespace talus::report {
@@ -44,11 +45,6 @@ std::vector<std::size_t> choose_shown(const std::vector<double>& times, const re
 using nlohmann::json;
 
 namespace {
-
-/// Returns true if all points left the grid.
-bool has_lost_all(const results::RunResult& run) {
-  return run.budgets && run.budgets->lost.points > 0 && run.budgets->points <= 0;
-}
 
 /// Times of a timeline are shown in hours or days; volumes, flows and speeds in feet if lengths are.
 ShownUnit choose_unit(const results::NamedResult& result, const ShownUnits& units, std::size_t dimension) {

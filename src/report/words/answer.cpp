@@ -23,7 +23,7 @@ using results::CriterionKind;
 
 namespace {
 
-std::string to_title(CriterionKind criterion) {
+std::string name_criterion(CriterionKind criterion) {
   switch (criterion) {
     case CriterionKind::frozen:
       return "rest or run-away at frozen geometry";
@@ -46,7 +46,7 @@ std::string describe_meshes(const results::FrozenFactor& frozen, const ShownUnit
 Factor make_factor(CriterionKind criterion, std::optional<double> value) {
   Factor factor;
   factor.name = fmt::format("factor_of_safety.{}", to_word(criterion));
-  factor.title = to_title(criterion);
+  factor.title = name_criterion(criterion);
   factor.value = value;
   factor.by = criterion;
   return factor;
@@ -252,10 +252,6 @@ class RunoutWords {
   json& sentences_;
 };
 
-bool has_lost_all(const results::RunResult& run) {
-  return run.budgets && run.budgets->lost.points > 0 && run.budgets->points <= 0;
-}
-
 /// Adds the points that left the grid, which the numbers of the answer exclude. Returns true if any soil is left.
 bool format_lost(const results::RunResult& run, json& sentences) {
   if (!run.budgets || run.budgets->lost.points == 0) return true;
@@ -376,6 +372,10 @@ void format_flow(const results::RunResult& run, json& sentences) {
 }
 
 }  // namespace
+
+bool has_lost_all(const results::RunResult& run) {
+  return run.budgets && run.budgets->lost.points > 0 && run.budgets->points <= 0;
+}
 
 std::vector<std::string> list_unrest(const results::RunResult& run) {
   std::vector<std::string> sentences;

@@ -26,12 +26,8 @@ constexpr double yield_slip = 1e-3;
 constexpr double joint_share = 100;
 /// Strength of the anchorage of a bolt, and of a head that is stronger than its bar, over that of the bar.
 constexpr double strong = 2;
-/// Shear stiffness κ G A of piles over E A, of a rectangle with ν = 0.2.
-constexpr double shear_share = 5.0 / 6 / 2.4;
 /// Width of the facing that a head presses on, where no other head is nearer [m].
 constexpr double widest_plate = 1;
-/// Forces are rounded to this many parts of one newton per metre.
-constexpr double force_digits = 10;
 
 /// Returns the ground within half a width of a head, as a polyline.
 std::vector<Vec<2>> cut_ground(const site::Polyline& ground, const Vec<2>& head, double width) {

@@ -13,6 +13,11 @@
 
 namespace talus::run {
 
+/// Shear stiffness κ G A of piles and walls over E A, of a rectangle with ν = 0.2.
+inline constexpr double shear_share = 5.0 / 6 / 2.4;
+/// Forces are rounded to this many parts of one newton per metre.
+inline constexpr double force_digits = 10;
+
 /// Makes the bars of a plane case, without its walls, with the bond of LEM along them. Throws what site::list_bars()
 /// and, where the bond depends on σ'_v, make_section() throw.
 std::vector<fem::Bar> make_bars(const site::Site& site);

@@ -29,12 +29,9 @@ constexpr double near_ground = 1e-3, near_wall = 1e-3;
 /// Distance of nodes from the line of a wall, over the extent of the mesh, at which they lie on it.
 constexpr double on_line = 1e-7;
 /// Stiffness of an interface over Young's modulus of the softest soil beside it [1/m]: that of a layer of 10 mm.
-constexpr double joint_share = 100;
+constexpr double interface_share = 100;
 /// Tangential over normal stiffness of an interface: G/E with ν = 0.3.
 constexpr double shear_joint = 1 / 2.6;
-/// Shear stiffness κ G A over E A, of a rectangle with ν = 0.2.
-constexpr double shear_share = 5.0 / 6 / 2.4;
-constexpr double force_digits = 10;
 /// Utilisation from which an interface slips.
 constexpr double slips = 0.999;
 
@@ -242,7 +239,7 @@ std::vector<fem::Wall> make_walls(const site::Site& site, const mesh::Mesh<2>& m
     wall.shear_stiffness = shear_share * wall.axial_stiffness;
     wall.moment = support.plastic_moment.value_or(fem::unlimited);
     wall.shear = support.shear_strength.value_or(fem::unlimited);
-    wall.normal_stiffness = joint_share * find_softest(site);
+    wall.normal_stiffness = interface_share * find_softest(site);
     wall.tangential_stiffness = shear_joint * wall.normal_stiffness;
     const Vec<2> pull = site.find_body_force<2>();
     for (std::size_t d = 0; d < 2; ++d) wall.line_load[d] = support.weight.value_or(0) * pull[d];
