@@ -286,7 +286,7 @@ bool is_ours() {
   return running.is_on.load() && pthread_equal(running.thread, pthread_self()) != 0;
 }
 
-void handle(int signal) {
+void leave_call(int signal) {
   if (is_ours()) siglongjmp(running.back, signal);
   if (signal == get_watch_signal()) return;  // the call has returned meanwhile
   // The crash is not in foreign code: restore the previous handler.
@@ -320,7 +320,7 @@ void watch() {
 
 bool prepare_process() {
   struct sigaction action {};
-  action.sa_handler = handle;
+  action.sa_handler = leave_call;
   action.sa_flags = SA_ONSTACK | SA_NODEFER;  // the signal is not blocked after siglongjmp()
   sigemptyset(&action.sa_mask);
   for (std::size_t i = 0; i < crashes.size(); ++i) sigaction(crashes[i], &action, &before[i]);

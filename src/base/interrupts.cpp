@@ -27,7 +27,7 @@ sigset_t list_signals() {
 }
 
 /// Also the handler for threads that do not block the signals, such as those of a host of this library.
-void handle(int signal) {
+void note_signal(int signal) {
   request_interrupt();
   if (!has_arrived.exchange(true)) return;
   std::signal(signal, SIG_DFL);
@@ -39,15 +39,15 @@ void handle(int signal) {
 void wait_for_signals() {
   const sigset_t both = list_signals();
   for (int signal = 0;;)
-    if (sigwait(&both, &signal) == 0) handle(signal);
+    if (sigwait(&both, &signal) == 0) note_signal(signal);
 }
 
 }  // namespace
 
 void catch_interrupts() {
   static const bool is_first = [] {
-    std::signal(SIGINT, handle);
-    std::signal(SIGTERM, handle);
+    std::signal(SIGINT, note_signal);
+    std::signal(SIGTERM, note_signal);
     const sigset_t both = list_signals();
     pthread_sigmask(SIG_BLOCK, &both, nullptr);
     std::thread(wait_for_signals).detach();

@@ -18,8 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string format_name = "talus archive";
-constexpr std::int64_t format_version = 1;
+const std::string archive_format = "talus archive";
+constexpr std::int64_t archive_version = 1;
 
 /// Checksum of names and arrays, each as a sequence of 64-bit words.
 class Checksum {
@@ -103,8 +103,8 @@ void ArchiveWriter::write(const fs::path& path) {
   try {
     const hdf5::Guard guard;
     hdf5::MemoryFile file;
-    hdf5::write_attribute(file, ".", "format", format_name);
-    hdf5::write_attribute(file, ".", "version", std::span(&format_version, 1));
+    hdf5::write_attribute(file, ".", "format", archive_format);
+    hdf5::write_attribute(file, ".", "version", std::span(&archive_version, 1));
     const std::int64_t checksum = compute_checksum(values_);
     std::string contents;  // one line per array: kind and name
     for (auto& [name, value] : values_) {
@@ -129,12 +129,12 @@ ArchiveReader::ArchiveReader(const fs::path& path) : path_(path.string()) {
   try {
     const hdf5::Guard guard;
     const hdf5::Handle file = hdf5::open(path);
-    if (hdf5::read_text_attribute(file, ".", "format") != format_name)
+    if (hdf5::read_text_attribute(file, ".", "format") != archive_format)
       throw_unreadable(path_, "it is no checkpoint of this program");
     const std::int64_t version = hdf5::read_integer_attribute(file, ".", "version");
-    if (version != format_version)
+    if (version != archive_version)
       throw_unreadable(path_, fmt::format("its format has version {}, and this program reads version {} only", version,
-                                          format_version));
+                                          archive_version));
     const std::string contents = hdf5::read_text(file, "contents");
     for (std::size_t begin = 0; begin < contents.size();) {
       const std::size_t end = std::min(contents.find('\n', begin), contents.size());

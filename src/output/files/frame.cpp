@@ -60,8 +60,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string format_name = "talus frame";
-constexpr std::int64_t format_version = 1;
+const std::string frame_format = "talus frame";
+constexpr std::int64_t frame_version = 1;
 
 void write_fields(hid_t file, const std::string& group, const std::vector<Field>& fields) {
   hdf5::make_group(file, group);
@@ -93,9 +93,9 @@ auto read_from(const fs::path& path, auto&& take) {
     const hdf5::Handle file = hdf5::open(path);
     const std::string format = hdf5::read_text_attribute(file, ".", "format");
     const std::int64_t version = hdf5::read_integer_attribute(file, ".", "version");
-    if (format != format_name || version != format_version)
+    if (format != frame_format || version != frame_version)
       fail_input("cannot read '{}': it is '{}' version {}, not '{}' version {}", path.string(), format, version,
-                 format_name, format_version);
+                 frame_format, frame_version);
     return take(static_cast<hid_t>(file));
   } catch (const hdf5::Failure& failure) {
     fail_input("cannot read '{}': the file is damaged or no frame of a run ({})", path.string(), failure.what());
@@ -109,8 +109,8 @@ FrameHeader take_header(hid_t file) {
 }
 
 void fill(hid_t file, const Frame& frame) {
-  hdf5::write_attribute(file, ".", "format", format_name);
-  hdf5::write_attribute(file, ".", "version", std::span(&format_version, 1));
+  hdf5::write_attribute(file, ".", "format", frame_format);
+  hdf5::write_attribute(file, ".", "version", std::span(&frame_version, 1));
   hdf5::write_attribute(file, ".", "time", frame.time);
   const std::int64_t step = frame.step;
   hdf5::write_attribute(file, ".", "step", std::span(&step, 1));

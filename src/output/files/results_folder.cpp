@@ -20,13 +20,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int64_t format_version = 1;
+constexpr std::int64_t folder_version = 1;
 
 void add_name(std::vector<std::string>& names, const std::string& name) {
   if (std::ranges::find(names, name) == names.end()) names.push_back(name);
 }
 
-[[noreturn]] void throw_damaged(const fs::path& path, const std::string& what) {
+[[noreturn]] void throw_no_result(const fs::path& path, const std::string& what) {
   fail_input("cannot read '{}': the file is damaged or no result of this program ({})", path.string(), what);
 }
 
@@ -47,9 +47,9 @@ void read_assembled(const fs::path& folder, Index& index) {
   try {
     const hdf5::Handle file = hdf5::open(path);
     const std::int64_t version = hdf5::read_integer_attribute(file, "talus", "version");
-    if (version != format_version)
+    if (version != folder_version)
       fail_input("cannot read '{}': its format has version {}, this program knows {}", path.string(), version,
-                 format_version);
+                 folder_version);
     index.points = read_series(file);
     const std::vector<std::int64_t> steps = hdf5::read<std::int64_t>(file, "talus/step");
     const std::vector<std::int64_t> stages = hdf5::read<std::int64_t>(file, "talus/stage");
@@ -62,9 +62,9 @@ void read_assembled(const fs::path& folder, Index& index) {
     for (const SeriesField& field : index.points.point_fields)
       if (!field.integer) add_name(index.field_names, field.name);
   } catch (const hdf5::Failure& failure) {
-    throw_damaged(path, failure.what());
+    throw_no_result(path, failure.what());
   } catch (const std::out_of_range&) {
-    throw_damaged(path, "its tables do not fit each other");
+    throw_no_result(path, "its tables do not fit each other");
   }
 }
 
@@ -73,9 +73,9 @@ void read_assembled_mesh(const fs::path& folder, Index& index) {
   try {
     index.mesh = read_series(hdf5::open(mesh_file(folder)));
   } catch (const hdf5::Failure& failure) {
-    throw_damaged(mesh_file(folder), failure.what());
+    throw_no_result(mesh_file(folder), failure.what());
   } catch (const std::out_of_range&) {
-    throw_damaged(mesh_file(folder), "its tables do not fit each other");
+    throw_no_result(mesh_file(folder), "its tables do not fit each other");
   }
 }
 
@@ -148,7 +148,7 @@ Frame read_entry(const fs::path& folder, const Index& index, int number) {
       if (mesh_step.number == number) frame.mesh = read_mesh(hdf5::open(path), *index.mesh, mesh_step);
     return frame;
   } catch (const hdf5::Failure& failure) {
-    throw_damaged(path, failure.what());
+    throw_no_result(path, failure.what());
   }
 }
 
@@ -160,7 +160,7 @@ class Heavy {
   Heavy(fs::path path, CellType type)
       : path_(std::move(path)), file_(hdf5::create(begin_file(path_))), writer_(file_, type) {
     hdf5::make_group(file_, "talus");
-    hdf5::write_attribute(file_, "talus", "version", std::span(&format_version, 1));
+    hdf5::write_attribute(file_, "talus", "version", std::span(&folder_version, 1));
   }
   SeriesWriter& writer() { return writer_; }
   hid_t file() const { return file_; }

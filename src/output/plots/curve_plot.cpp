@@ -17,7 +17,7 @@ namespace {
 constexpr int width = 900, height = 600;  ///< [px]
 constexpr double left = 90, bottom = 70, row_height = 22;
 
-const char* colour(std::size_t i) {
+const char* series_colour(std::size_t i) {
   return line_colours[i % std::size(line_colours)];
 }
 
@@ -65,13 +65,13 @@ std::string draw_flags(const std::vector<Flag>& flags, double top) {
       script += fmt::format(
           "set object rectangle from {:.10g}, graph 0 to {:.10g}, graph 1 behind fillcolor rgb '{}' fillstyle solid "
           "0.15 noborder\n",
-          *flag.mark.lower, *flag.mark.upper, colour(flag.order));
+          *flag.mark.lower, *flag.mark.upper, series_colour(flag.order));
     script += fmt::format(
         "set arrow from {0}, graph 0 to {0}, screen {1:.5f} nohead front linewidth 1.5 dashtype 2 linecolor rgb "
         "'{2}'\n",
-        x, y, colour(flag.order));
+        x, y, series_colour(flag.order));
     script += fmt::format("set label {} at {}, screen {:.5f} left offset 0.6,0 front textcolor rgb '{}'\n",
-                          quote(flag.text), x, y, colour(flag.order));
+                          quote(flag.text), x, y, series_colour(flag.order));
   }
   return script;
 }
@@ -248,7 +248,7 @@ void draw(const TablePlot& plot, const std::filesystem::path& picture) {
         plot.series[i],
         fmt::format("with linespoints linewidth 1.8 pointtype {} pointsize 0.8 pointinterval {} linecolor rgb '{}'",
                     markers[i % markers.size()],
-                    plot.is_history ? std::max<std::size_t>(1, plot.series[i].x.size() / 12) : 1, colour(i)),
+                    plot.is_history ? std::max<std::size_t>(1, plot.series[i].x.size() / 12) : 1, series_colour(i)),
         plot.series.size() > 1 ? plot.series[i].label : "");
   run_gnuplot(picture, script + layers.text(), width, height);
 }

@@ -45,7 +45,7 @@ std::string draw_line(const std::vector<results::Point>& points, double unit, bo
 
 namespace {
 
-constexpr double right = 125, bottom = 62;  ///< [px]
+constexpr double colours_right = 125, axis_bottom = 62;  ///< [px]
 
 // Viridis (van der Walt and Smith 2015, https://bids.github.io/colormap, CC0) at ten equally spaced values.
 constexpr const char* viridis =
@@ -131,10 +131,10 @@ void draw(const FieldPlot& plot, const std::filesystem::path& picture) {
   const auto [w, h] = fit_frame(box);
   const double left = find_left_margin(box);
   const double title_width = estimate_width(plot.title) * 14 / 12, subtitle_width = estimate_width(plot.subtitle);
-  const bool two_rows = title_width + subtitle_width + 30 > w + right - 20;
+  const bool two_rows = title_width + subtitle_width + 30 > w + colours_right - 20;
   const double top = two_rows ? 66 : 46;
-  const double total_w = std::max({left + w + right, left + title_width + 20, left + subtitle_width + 20});
-  const double total_h = bottom + h + top;
+  const double total_w = std::max({left + w + colours_right, left + title_width + 20, left + subtitle_width + 20});
+  const double total_h = axis_bottom + h + top;
   const auto sx = [total_w](double pixels) { return pixels / total_w; };
   const auto sy = [total_h](double pixels) { return pixels / total_h; };
   const double per_unit = w / (box.x1 - box.x0);
@@ -144,7 +144,7 @@ void draw(const FieldPlot& plot, const std::filesystem::path& picture) {
   std::string s = fmt::format(
       "set lmargin at screen {:.6f}\nset rmargin at screen {:.6f}\nset bmargin at screen {:.6f}\n"
       "set tmargin at screen {:.6f}\n",
-      sx(left), sx(left + w), sy(bottom), sy(bottom + h));
+      sx(left), sx(left + w), sy(axis_bottom), sy(axis_bottom + h));
   s += fmt::format("set xrange [{:.10g}:{:.10g}]\nset yrange [{:.10g}:{:.10g}]\n", box.x0, box.x1, box.y0, box.y1);
   s += fmt::format("set border 3 linecolor rgb '{0}'\nset tics nomirror out scale 0.6 textcolor rgb '{0}'\n",
                    text_colour);
@@ -163,12 +163,12 @@ void draw(const FieldPlot& plot, const std::filesystem::path& picture) {
   s += fmt::format(
       "set palette defined ({})\nset cbrange [{:.10g}:{:.10g}]\nset colorbox vertical user origin screen {:.6f}, "
       "screen {:.6f} size screen {:.6f}, screen {:.6f} noborder\n",
-      diverging ? blue_white_red : viridis, range[0], range[1], sx(left + w + 22), sy(bottom), sx(16), sy(h));
+      diverging ? blue_white_red : viridis, range[0], range[1], sx(left + w + 22), sy(axis_bottom), sx(16), sy(h));
   s += make_tics("cb", range[1] - range[0], std::max(4.0, h / 40));
   const std::string bar_label = make_label("", plot.unit);
   if (!bar_label.empty())
     s += fmt::format("set label {} at screen {:.6f}, screen {:.6f} left textcolor rgb '{}'\n", quote(bar_label),
-                     sx(left + w + 22), sy(bottom + h + 14), text_colour);
+                     sx(left + w + 22), sy(axis_bottom + h + 14), text_colour);
   s += "unset key\n";
 
   std::string plots;

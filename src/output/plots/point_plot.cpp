@@ -13,24 +13,24 @@
 namespace talus::output {
 namespace {
 
-constexpr double top = 44, row_height = 350, above = 14, below = 62, foot = 8;  ///< [px]
-constexpr double panel_width = 400, left_margin = 84, gap = 92, legend_gap = 24;
+constexpr double panel_top = 44, panel_row = 350, panel_above = 14, panel_below = 62, foot = 8;  ///< [px]
+constexpr double panel_width = 400, left_margin = 84, panel_gap = 92, legend_gap = 24;
 constexpr double line_sample = 48;
 
-struct Range {
+struct AxisRange {
   double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
 };
 
-Range find_range(const std::vector<std::vector<double>>& lists, bool positive) {
-  Range range;
+AxisRange find_axis_range(const std::vector<std::vector<double>>& lists, bool positive) {
+  AxisRange range;
   for (const auto& list : lists)
     for (const double v : list)
       if (std::isfinite(v) && (!positive || v > 0)) range = {std::min(range.low, v), std::max(range.high, v)};
-  return range.low <= range.high ? range : Range{positive ? 1.0 : 0.0, 1};
+  return range.low <= range.high ? range : AxisRange{positive ? 1.0 : 0.0, 1};
 }
 
 /// Adds a margin around the values; the axis of a constant zero has a finite length.
-Range widen(Range range, bool logarithmic) {
+AxisRange widen(AxisRange range, bool logarithmic) {
   if (logarithmic) return {range.low / 1.15, range.high * 1.15};
   const double length = range.high - range.low, size = std::max(std::abs(range.low), std::abs(range.high));
   const double pad = length > 1e-9 * size ? 0.04 * length : std::max(0.05 * size, 1e-3);
@@ -40,7 +40,7 @@ Range widen(Range range, bool logarithmic) {
 
 /// Returns the tics of a logarithmic axis: powers of ten, with 2 and 5 times them if there are few; equal steps within
 /// less than one decade.
-std::string list_log_tics(Range x) {
+std::string list_log_tics(AxisRange x) {
   std::string tics;
   const auto add = [&](double at) {
     if (at >= x.low && at <= x.high) tics += fmt::format("{}'{:g}' {:.10g}", tics.empty() ? "" : ", ", at, at);
@@ -68,14 +68,14 @@ std::string style_line(const PointLine& line) {
 std::string draw_diagram(const PointPlot& plot, std::size_t number, double width, double height) {
   const PointDiagram& d = plot.diagrams[number];
   const std::size_t row = number / 2, column = number % 2;
-  const double left = left_margin + static_cast<double>(column) * (panel_width + gap);
-  const double row_top = top + static_cast<double>(row) * row_height;
-  const Range x = widen(find_range(d.x, d.log_x), d.log_x), y = widen(find_range(d.y, false), false);
+  const double left = left_margin + static_cast<double>(column) * (panel_width + panel_gap);
+  const double row_top = panel_top + static_cast<double>(row) * panel_row;
+  const AxisRange x = widen(find_axis_range(d.x, d.log_x), d.log_x), y = widen(find_axis_range(d.y, false), false);
   std::string script = fmt::format(
       "unset label\nset lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\nset tmargin at screen {:.5f}\n"
       "set bmargin at screen {:.5f}\nset xlabel {} textcolor rgb '{}'\nset ylabel {} textcolor rgb '{}'\n",
-      left / width, (left + panel_width) / width, 1 - (row_top + above) / height,
-      1 - (row_top + row_height - below) / height, quote(d.x_label), text_colour, quote(d.y_label), text_colour);
+      left / width, (left + panel_width) / width, 1 - (row_top + panel_above) / height,
+      1 - (row_top + panel_row - panel_below) / height, quote(d.x_label), text_colour, quote(d.y_label), text_colour);
   if (number == 0)
     script += fmt::format("set label {} at screen {:.5f}, screen {:.5f} left font title_font textcolor rgb '{}'\n",
                           quote(plot.title), left_margin / width, 1 - 24 / height, text_colour);
@@ -92,13 +92,14 @@ std::string draw_diagram(const PointPlot& plot, std::size_t number, double width
 
 /// Draws the legend in a column of its own: a last, empty diagram.
 std::string draw_legend(const PointPlot& plot, double width, double height) {
-  const double left = left_margin + 2 * panel_width + gap + legend_gap;
+  const double left = left_margin + 2 * panel_width + panel_gap + legend_gap;
   std::string script = fmt::format(
       "unset label\nunset border\nunset tics\nunset grid\nunset xlabel\nunset ylabel\nunset logscale x\n"
       "set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\nset tmargin at screen {:.5f}\n"
       "set bmargin at screen {:.5f}\nset xrange [0:1]\nset yrange [0:1]\n"
       "set key at screen {:.5f}, screen {:.5f} left top Left reverse samplen 3 spacing 1.25 textcolor rgb '{}'\n",
-      left / width, 1.0, 1 - top / height, foot / height, left / width, 1 - (top + above) / height, text_colour);
+      left / width, 1.0, 1 - panel_top / height, foot / height, left / width, 1 - (panel_top + panel_above) / height,
+      text_colour);
   std::string layers;
   for (const PointLine& line : plot.lines)
     layers +=
@@ -112,9 +113,10 @@ void draw(const PointPlot& plot, const std::filesystem::path& picture) {
   if (plot.lines.empty() || plot.diagrams.empty()) fail_input("element tests cannot be drawn: there are none");
   double widest = 0;
   for (const PointLine& line : plot.lines) widest = std::max(widest, estimate_width(line.label));
-  const double width = left_margin + 2 * panel_width + gap + legend_gap + line_sample + widest + 24;
+  const double width = left_margin + 2 * panel_width + panel_gap + legend_gap + line_sample + widest + 24;
   const double rows = std::ceil(static_cast<double>(plot.diagrams.size()) / 2);
-  const double height = std::max(top + rows * row_height + foot, top + 24.0 * static_cast<double>(plot.lines.size()));
+  const double height =
+      std::max(panel_top + rows * panel_row + foot, panel_top + 24.0 * static_cast<double>(plot.lines.size()));
   std::string script;
   for (std::size_t d = 0; d < plot.diagrams.size(); ++d)
     for (std::size_t i = 0; i < plot.lines.size(); ++i)

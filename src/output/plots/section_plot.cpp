@@ -13,9 +13,9 @@
 namespace talus::output {
 namespace {
 
-constexpr double right = 30, axis = 62, heading = 46;  ///< [px]
+constexpr double plot_right = 30, axis = 62, plot_heading = 46;  ///< [px]
 constexpr const char* water_colour = "#2f7fd6";
-constexpr double row_height = 22, sample = 48, gap = 20;  ///< of the legend [px]
+constexpr double legend_row = 22, legend_sample = 48, legend_space = 20;  ///< of the legend [px]
 
 std::string describe(const results::MethodSurface& s) {
   return s.factor ? fmt::format("{:.3f}  {}", *s.factor, s.title) : s.title;
@@ -34,12 +34,12 @@ class Legend {
  public:
   Legend(const std::vector<results::MethodSurface>& surfaces, double left, double width) : left_(left) {
     for (const results::MethodSurface& s : surfaces)
-      column_ = std::max(column_, sample + estimate_width(describe(s)) + gap);
+      column_ = std::max(column_, legend_sample + estimate_width(describe(s)) + legend_space);
     const auto columns = static_cast<std::size_t>(std::max(1.0, std::floor(width / column_)));
     rows_ = (surfaces.size() + columns - 1) / columns;
   }
 
-  double height() const { return row_height * static_cast<double>(rows_) + 10; }
+  double height() const { return legend_row * static_cast<double>(rows_) + 10; }
   double width() const { return column_; }
 
   std::string draw(const std::vector<results::MethodSurface>& surfaces, double total_width, double total_height) const {
@@ -47,11 +47,11 @@ class Legend {
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
       const std::size_t column = i / rows_, row = i % rows_;
       const double x = left_ + column_ * static_cast<double>(column);
-      const double y = (height() - row_height * (static_cast<double>(row) + 0.5)) / total_height;
+      const double y = (height() - legend_row * (static_cast<double>(row) + 0.5)) / total_height;
       script += fmt::format("set arrow from screen {:.6f}, screen {:.6f} to screen {:.6f}, screen {:.6f} nohead {}\n",
-                            x / total_width, y, (x + sample - 8) / total_width, y, find_style(surfaces[i], i));
+                            x / total_width, y, (x + legend_sample - 8) / total_width, y, find_style(surfaces[i], i));
       script += fmt::format("set label {} at screen {:.6f}, screen {:.6f} left textcolor rgb '{}'\n",
-                            quote(describe(surfaces[i])), (x + sample) / total_width, y, text_colour);
+                            quote(describe(surfaces[i])), (x + legend_sample) / total_width, y, text_colour);
     }
     return script;
   }
@@ -83,9 +83,9 @@ void draw(const SectionPlot& plot, const std::filesystem::path& picture) {
   const Legend legend(plot.surfaces, left, w);
   const double bottom = axis + legend.height();
   const double total_w =
-      left + right +
+      left + plot_right +
       std::max({w, legend.width(), estimate_width(plot.title) * 14 / 12});  // the font of the title is larger
-  const double total_h = bottom + h + heading;
+  const double total_h = bottom + h + plot_heading;
 
   std::string s = fmt::format(
       "set lmargin at screen {:.6f}\nset rmargin at screen {:.6f}\nset bmargin at screen {:.6f}\n"

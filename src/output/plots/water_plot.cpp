@@ -189,9 +189,10 @@ std::string make_water_table(const std::vector<WaterCurves>& soils) {
 
 namespace {
 
-constexpr double width = 1060;                                        ///< [px]
-constexpr double top = 44, row_height = 350, above = 58, below = 62;  ///< rows: heading and captions, axis
-constexpr double most_decades = 12;                                   ///< of a conductivity axis
+constexpr double sheet_width = 1060;  ///< [px]
+constexpr double sheet_top = 44, sheet_row = 350, sheet_above = 58,
+                 sheet_below = 62;   ///< rows: heading and captions, axis
+constexpr double most_decades = 12;  ///< of a conductivity axis
 
 struct Place {
   double left, right;  ///< edges of a panel [px]
@@ -200,7 +201,7 @@ constexpr Place saturation_place{72, 500}, conductivity_place{592, 984};
 
 std::string write_label(const std::string& text, double x, double y, double height, const char* font = "") {
   return fmt::format("set label {} at screen {:.5f}, screen {:.5f} left {} textcolor rgb '{}'\n", quote(text),
-                     x / width, 1 - y / height, font, text_colour);
+                     x / sheet_width, 1 - y / height, font, text_colour);
 }
 
 std::string open_panel(Place place, double row_top, double height, const std::string& y_label) {
@@ -208,8 +209,8 @@ std::string open_panel(Place place, double row_top, double height, const std::st
       "unset label\nunset arrow\n"
       "set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\nset tmargin at screen {:.5f}\n"
       "set bmargin at screen {:.5f}\nset ylabel {} textcolor rgb '{}'\n",
-      place.left / width, place.right / width, 1 - (row_top + above) / height,
-      1 - (row_top + row_height - below) / height, quote(y_label), text_colour);
+      place.left / sheet_width, place.right / sheet_width, 1 - (row_top + sheet_above) / height,
+      1 - (row_top + sheet_row - sheet_below) / height, quote(y_label), text_colour);
 }
 
 /// Writes the pairs of a table; a pair at suction 0 is drawn at the left end of the logarithmic axis.
@@ -221,7 +222,7 @@ std::string make_pairs(const std::string& name, const std::vector<std::array<dou
   return make_data(name, {x, y});
 }
 
-std::vector<double> scale(std::vector<double> values, double factor) {
+std::vector<double> scale_all(std::vector<double> values, double factor) {
   for (double& v : values) v *= factor;
   return values;
 }
@@ -299,7 +300,7 @@ std::string draw_conductivity(const WaterCurves& soil, std::size_t row, double r
 
 void draw(const WaterPlot& plot, const std::filesystem::path& picture) {
   if (plot.soils.empty()) fail_input("soil-water curves cannot be drawn: there is no wet soil");
-  const double height = top + row_height * static_cast<double>(plot.soils.size());
+  const double height = sheet_top + sheet_row * static_cast<double>(plot.soils.size());
   std::string script;
   for (std::size_t i = 0; i < plot.soils.size(); ++i) {
     const WaterCurves& soil = plot.soils[i];
@@ -307,8 +308,8 @@ void draw(const WaterPlot& plot, const std::filesystem::path& picture) {
     if (!(soil.saturated_conductivity > 0))
       fail_input("the conductivity of '{}' cannot be drawn: it is not above 0", soil.material);
     const double saturated = find_shown_conductivity(soil);
-    const std::vector<double> suction = scale(soil.suction, 1 / soil.units.stress.si);
-    script += make_data("curve" + row, {suction, soil.saturation, scale(soil.relative, saturated)});
+    const std::vector<double> suction = scale_all(soil.suction, 1 / soil.units.stress.si);
+    script += make_data("curve" + row, {suction, soil.saturation, scale_all(soil.relative, saturated)});
     if (!soil.chi.empty()) script += make_data("chi" + row, {suction, soil.chi});
     if (!soil.saturation_pairs.empty()) script += make_pairs("pairs" + row, soil.saturation_pairs, soil, 1);
     if (!soil.relative_pairs.empty())
@@ -324,13 +325,13 @@ void draw(const WaterPlot& plot, const std::filesystem::path& picture) {
       text_colour, grid_colour, s.front() / stress.si, s.back() / stress.si, stress.name);
   script += "set multiplot\n";
   for (std::size_t i = 0; i < plot.soils.size(); ++i) {
-    const double row_top = top + row_height * static_cast<double>(i);
+    const double row_top = sheet_top + sheet_row * static_cast<double>(i);
     const std::string heading =
         i == 0 ? write_label(plot.title, saturation_place.left, 24, height, "font title_font") : "";
     script += draw_saturation(plot.soils[i], i, row_top, height, heading);
     script += draw_conductivity(plot.soils[i], i, row_top, height);
   }
-  run_gnuplot(picture, script + "unset multiplot\n", static_cast<int>(width), static_cast<int>(height));
+  run_gnuplot(picture, script + "unset multiplot\n", static_cast<int>(sheet_width), static_cast<int>(height));
 }
 
 }  // namespace talus::output

@@ -115,7 +115,7 @@ using nlohmann::json;
 namespace {
 
 /// Returns a title such as "crest: displacement x" for "crest.displacement_x". Names of monitors are not changed.
-std::string to_title(const std::string& name) {
+std::string make_column_title(const std::string& name) {
   const std::size_t dot = name.rfind('.');
   std::string quantity = dot == std::string::npos ? name : name.substr(dot + 1);
   std::replace(quantity.begin(), quantity.end(), '_', ' ');
@@ -138,7 +138,7 @@ json make_column(const output::Column& column, bool ground, const std::vector<do
   json list = json::array();
   for (const std::size_t i : rows) list.push_back(std::isfinite(values[i]) ? json(values[i]) : json());
   json made{{"name", column.name},
-            {"title", to_title(column.name)},
+            {"title", make_column_title(column.name)},
             {"unit", column.unit},
             {"quantity", results::to_word(described.quantity)},
             {"of", described.of},

@@ -24,7 +24,7 @@ constexpr double half_width = 0.5, same_end = 0.01;
 /// Distance from the ground up to which a point lies on it [m].
 constexpr double on_ground = 1e-4;
 /// Parts of a bar in which its force is examined for kinks; kinks nearer than this fraction are one.
-constexpr int samples = 400;
+constexpr int bar_samples = 400;
 constexpr double near = 1e-3;
 
 /// The point of a line that is nearest to another point.
@@ -98,8 +98,8 @@ std::vector<double> BarsOfCase::list_kinks(const Line& line) const {
     if (s - kinks.back() > near * line.length && line.length - s > near * line.length) kinks.push_back(s);
   };
   bool is_free = line.bar.free_length > 0;
-  for (int i = 1; i <= samples; ++i) {
-    double a = line.length * (i - 1) / samples, b = line.length * i / samples;
+  for (int i = 1; i <= bar_samples; ++i) {
+    double a = line.length * (i - 1) / bar_samples, b = line.length * i / bar_samples;
     if (is_free && b >= line.bar.free_length) is_free = false, add(line.bar.free_length);
     const auto first = find_governing(a);
     if (first == find_governing(b)) continue;

@@ -23,18 +23,18 @@ using mesh::Polyline;
 
 /// Distance of a line from others, distance of its end from a corner, which it then meets, and its length, over the
 /// element size; the first is that below which the line is left out, the last as well.
-constexpr double closest = 0.1, at_corner = 0.05, shortest = 0.25;
+constexpr double least_gap = 0.1, at_corner = 0.05, least_length = 0.25;
 /// Length of the parts of a line that are left out one by one, over the element size, and points of each at which the
 /// distance is measured, of which more than `most_near` are too near.
 constexpr double part_length = 2;
-constexpr int samples = 5, most_near = 2;
+constexpr int line_samples = 5, most_near = 2;
 /// Change of the gradient of a water table at a vertex, below which a vertical line does not repay its triangles.
 constexpr double least_bend = 0.05;
 /// Distance of a vertex of a water table from the line between its neighbours, over the element size, up to which it is
 /// left out where vertices are close together.
 constexpr double straight = 0.02;
 /// Triangles with these lines over those without, above which there are none.
-constexpr double most_triangles = 2;
+constexpr double most_growth = 2;
 constexpr double few_triangles = 100;
 
 bool takes_water_table(const input::Case& data) {
@@ -89,7 +89,7 @@ class KinkLines {
     const double left = plan_.box_min[0], right = plan_.box_max[0];
     const auto is_dense = [&] {
       for (std::size_t i = 1; i < table.size(); ++i)
-        if (table[i][0] - table[i - 1][0] < shortest * plan_.size) return true;
+        if (table[i][0] - table[i - 1][0] < least_length * plan_.size) return true;
       return false;
     };
     if (is_dense()) table = mesh::drop_straight_points(table, false, straight * plan_.size);
@@ -146,10 +146,10 @@ class KinkLines {
       for (const mesh::Polygon& polygon : plan_.polygons)
         for (const Point2& corner : polygon.points)
           if (std::hypot(corner[0] - (*end)[0], corner[1] - (*end)[1]) < at_corner * plan_.size) *end = corner;
-    if (std::hypot(to[0] - from[0], to[1] - from[1]) < shortest * plan_.size) return;
+    if (std::hypot(to[0] - from[0], to[1] - from[1]) < least_length * plan_.size) return;
     int near = 0;
-    for (int i = 0; i < samples; ++i) {
-      const double s = (i + 0.5) / samples;
+    for (int i = 0; i < line_samples; ++i) {
+      const double s = (i + 0.5) / line_samples;
       near += is_near({from[0] + s * (to[0] - from[0]), from[1] + s * (to[1] - from[1])}) ? 1 : 0;
     }
     if (near > most_near) return;
@@ -157,7 +157,7 @@ class KinkLines {
   }
 
   bool is_near(const Point2& x) const {
-    const double away = closest * plan_.size;
+    const double away = least_gap * plan_.size;
     return std::any_of(plan_.polygons.begin(), plan_.polygons.end(),
                        [&](const mesh::Polygon& p) {
                          return mesh::compute_distance(x, mesh::close_polygon(p.points)) < away;
@@ -171,7 +171,7 @@ class KinkLines {
   mesh::Plan plan_;
 };
 
-std::size_t count_soil(const mesh::Mesh<2>& mesh) {
+std::size_t count_triangles(const mesh::Mesh<2>& mesh) {
   return static_cast<std::size_t>(std::count_if(mesh.element_region.begin(), mesh.element_region.end(),
                                                 [](int region) { return region != mesh::empty_region; }));
 }
@@ -184,7 +184,7 @@ mesh::Mesh<2> generate_with_kinks(const site::Site& site, const mesh::Plan& plan
   if (bent.lines.size() == plan.lines.size()) return mesh::generate<2>(plan);
   try {
     mesh::Mesh<2> mesh = mesh::generate<2>(bent);
-    if (static_cast<double>(count_soil(mesh)) <= most_triangles * count_elements(plan).soil + few_triangles)
+    if (static_cast<double>(count_triangles(mesh)) <= most_growth * count_elements(plan).soil + few_triangles)
       return mesh;
   } catch (const Error& error) {
     if (error.code() == ExitCode::interrupted) throw;
