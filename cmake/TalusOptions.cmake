@@ -61,9 +61,16 @@ if(CMAKE_BUILD_TYPE STREQUAL "Release")
 else()
   target_compile_options(talus_text_options INTERFACE -O0)
 endif()
-if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  # Several sources at a time: a local name of one is the helper of another. GCC warns of each source's own in any case.
-  target_compile_options(talus_text_options INTERFACE -Wno-shadow)
+
+# For targets that compile several sources at a time, after the options above: a local name of one source may be that of a parameter in
+# another, and -Wshadow is for sources that stand alone (tools/lint.sh).
+add_library(talus_unity_options INTERFACE)
+if(TALUS_UNITY)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(talus_unity_options INTERFACE -Wno-shadow -Wshadow=local -Wno-subobject-linkage)
+  else()
+    target_compile_options(talus_unity_options INTERFACE -Wno-shadow)
+  endif()
 endif()
 
 # A fuzzer watches what reads bytes, and not the kernels, which would be twice as slow.
