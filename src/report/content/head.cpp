@@ -8,7 +8,6 @@
 
 #include "report/content/sequence.hpp"
 #include "report/folder/numbers.hpp"
-#include "report/words/words.hpp"
 #include "results/named.hpp"
 
 namespace talus::report {
@@ -28,6 +27,10 @@ std::size_t find_nearest(const std::vector<double>& times, double time) {
 }
 
 }  // namespace
+
+bool has_lost_all(const results::RunResult& run) {
+  return run.budgets && run.budgets->lost.points > 0 && run.budgets->points <= 0;
+}
 
 std::vector<std::size_t> choose_shown(const std::vector<double>& times, const results::Clock& clock) {
   std::vector<std::size_t> shown;

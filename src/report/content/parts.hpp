@@ -16,6 +16,9 @@
 
 namespace talus::report {
 
+/// Returns true if all points of MPM left the grid.
+bool has_lost_all(const results::RunResult& run);
+
 // Title block, provenance, timing, the stored frames selected on the clock of the case ([output] count_from), and the
 // results by name.
 

@@ -10,6 +10,7 @@
 
 #include "report/content/choices.hpp"
 #include "report/content/method_table.hpp"
+#include "report/content/parts.hpp"
 #include "report/content/water.hpp"
 #include "report/folder/numbers.hpp"
 #include "results/bounds.hpp"
@@ -372,10 +373,6 @@ void format_flow(const results::RunResult& run, json& sentences) {
 }
 
 }  // namespace
-
-bool has_lost_all(const results::RunResult& run) {
-  return run.budgets && run.budgets->lost.points > 0 && run.budgets->points <= 0;
-}
 
 std::vector<std::string> list_unrest(const results::RunResult& run) {
   std::vector<std::string> sentences;

@@ -16,9 +16,6 @@ namespace talus::report {
 /// Returns sentences on the stages that were to end at rest but did not; their displacements and runouts are not final.
 std::vector<std::string> list_unrest(const results::RunResult& run);
 
-/// Returns true if all points left the grid.
-bool has_lost_all(const results::RunResult& run);
-
 /// Returns `Answer` of web/src/contract/.
 nlohmann::json make_answer(const ResultFolder& folder);
 
