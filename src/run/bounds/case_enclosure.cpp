@@ -65,35 +65,61 @@ std::vector<SoilPlace> list_places(const bounds::Problem& problem, const std::ve
   return places;
 }
 
-/// Adds to the corners what the linear function between them is short of `values` at points, each corner by its weight.
-/// Returns the largest shortage.
-double lift(std::array<double, 3>& corner, const std::vector<Weights>& points, const double* values) {
-  Weights more{};
+/// Returns the largest shortage of the linear function between corners at points.
+double find_shortage(const std::array<double, 3>& corner, const std::vector<Weights>& points, const double* values) {
   double most = 0;
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const Weights& w = points[k];
-    const double lack = values[k] - interpolate(corner, w), square = dot(w, w);
-    if (!(lack > 0)) continue;
-    most = std::max(most, lack);
-    for (std::size_t i = 0; i < 3; ++i) more[i] = std::max(more[i], lack * w[i] / square);
-  }
-  for (std::size_t i = 0; i < 3; ++i) corner[i] += more[i];
+  for (std::size_t k = 0; k < points.size(); ++k) most = std::max(most, values[k] - interpolate(corner, points[k]));
   return most;
 }
 
+/// Returns what each corner must have more so that the function is not short of `values`, each by its weight. Corners
+/// with `keep` have nothing more; points at which the others weigh nothing are left out.
+Weights find_lift(const std::array<double, 3>& corner, const std::vector<Weights>& points, const double* values,
+                  const std::array<bool, 3>& keep) {
+  Weights more{};
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const double lack = values[k] - interpolate(corner, points[k]);
+    Weights w = points[k];
+    for (std::size_t i = 0; i < 3; ++i)
+      if (keep[i]) w[i] = 0;
+    const double square = dot(w, w);
+    if (!(lack > 0) || square < inwards * inwards) continue;
+    for (std::size_t i = 0; i < 3; ++i) more[i] = std::max(more[i], lack * w[i] / square);
+  }
+  return more;
+}
+
+/// Adds to the corners what the linear function between them is short of `values` at points. Corners with zero keep it
+/// where that is enough: soil without tensile strength cannot carry a pore pressure on its free surface. Returns the
+/// largest shortage before.
+double lift(std::array<double, 3>& corner, const std::vector<Weights>& points, const double* values, double tolerance) {
+  const std::array<double, 3> before = corner;
+  for (const bool keeps_zero : {true, false}) {
+    corner = before;
+    std::array<bool, 3> keep{};
+    for (std::size_t i = 0; i < 3; ++i) keep[i] = keeps_zero && before[i] == 0;
+    const Weights more = find_lift(before, points, values, keep);
+    for (std::size_t i = 0; i < 3; ++i) corner[i] += more[i];
+    if (find_shortage(corner, points, values) <= tolerance) break;
+  }
+  return find_shortage(before, points, values);
+}
+
 /// The same below `values`.
-double lower(std::array<double, 3>& corner, const std::vector<Weights>& points, const double* values) {
+double lower(std::array<double, 3>& corner, const std::vector<Weights>& points, const double* values,
+             double tolerance) {
   std::array<double, 3> opposite{-corner[0], -corner[1], -corner[2]};
   std::vector<double> opposites(values, values + points.size());
   for (double& v : opposites) v = -v;
-  const double most = lift(opposite, points, opposites.data());
+  const double most = lift(opposite, points, opposites.data(), tolerance);
   for (std::size_t i = 0; i < 3; ++i) corner[i] = -opposite[i];
   return most;
 }
 
 /// Multiplies the corners so that the linear function between them, which is not negative, exceeds none of `values`.
 /// Returns the largest excess.
-double scale(std::array<double, 3>& corner, const std::vector<Weights>& points, const double* values) {
+double scale(std::array<double, 3>& corner, const std::vector<Weights>& points, const double* values,
+             double /*tolerance*/) {
   double ratio = 1, most = 0;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const double linear = interpolate(corner, points[k]);
@@ -110,7 +136,7 @@ template <class Move>
 bool enclose(std::array<double, 3>& corner, const std::vector<Weights>& points, const double* values, double tolerance,
              Move move) {
   std::array<double, 3> moved = corner;
-  if (!(move(moved, points, values) > tolerance)) return false;
+  if (!(move(moved, points, values, tolerance) > tolerance)) return false;
   corner = moved;
   return true;
 }
@@ -191,7 +217,8 @@ void CaseEnclosure::apply(bounds::Problem& problem, bounds::Bound bound) const {
   const std::vector<double> pressures = fields_->find_pressures(list_places(problem, origins, of_pressure, points));
   for (std::size_t k = 0; k < of_pressure.size(); ++k) {
     const double* values = &pressures[k * points.size()];
-    problem.pore_pressure[of_pressure[k]] = {values[0], values[1], values[2]};
+    std::array<double, 3>& corners = problem.pore_pressure[of_pressure[k]];
+    for (std::size_t i = 0; i < 3; ++i) corners[i] = std::abs(values[i]) <= rounding_ ? 0 : values[i];
     enclose_pressure(problem, of_pressure[k], bound, points, values, rounding_);
   }
 }
