@@ -63,6 +63,7 @@ void describe(Visitor& v, HoldingField& r) {
   v.key("nodes", r.nodes, {"m", "nodes"});
   v.key("triangles", r.triangles, {"", "nodes of the triangles"});
   v.key("stress", r.stress, {"Pa", "effective stress xx, yy, xy at the three corners"});
+  v.maybe("pressure", r.pressure, {"Pa", "pore pressure at the three corners, not below that of the case"});
   v.key("utilisation", r.utilisation, {"", "how much of the strength is used"});
 }
 

@@ -110,7 +110,10 @@ struct HoldingField {
   std::vector<Point> nodes;  ///< [m]
   std::vector<std::vector<int>> triangles;
   std::vector<std::vector<double>> stress;  ///< by triangle: effective xx, yy, xy at its corners [Pa], tension positive
-  std::vector<double> utilisation;          ///< by triangle: factor of the field over that of its worst corner
+  /// By triangle: pore pressure at its corners [Pa], positive in compression and linear between them. It is not below
+  /// that of the case. Without a value there is none.
+  std::optional<std::vector<std::vector<double>>> pressure;
+  std::vector<double> utilisation;  ///< by triangle: factor of the field over that of its worst corner
 };
 void describe(Visitor& v, HoldingField& r);
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -27,6 +28,10 @@ results::HoldingField make_stress_result(const bounds::Problem& problem, const b
                                          double factor) {
   results::HoldingField result;
   for (const Vec<2>& x : problem.nodes) result.nodes.push_back(round_place(x));
+  const std::array<double, 3> none{};
+  const bool has_pressure = std::any_of(problem.pore_pressure.begin(), problem.pore_pressure.end(),
+                                        [&](const std::array<double, 3>& p) { return p != none; });
+  if (has_pressure) result.pressure.emplace();
   for (std::size_t e = 0; e < problem.size(); ++e) {
     result.triangles.emplace_back(problem.triangles[e].begin(), problem.triangles[e].end());
     std::vector<double>& stress = result.stress.emplace_back();
@@ -34,6 +39,10 @@ results::HoldingField make_stress_result(const bounds::Problem& problem, const b
     for (std::size_t i = 0; i < 3; ++i) {
       for (const double s : field.stress[e][i]) stress.push_back(round_to(s, stress_digits));
       least = std::min(least, bounds::find_factor(problem.strength[e][i], field.stress[e][i]));
+    }
+    if (has_pressure) {
+      std::vector<double>& pressure = result.pressure->emplace_back();
+      for (const double p : problem.pore_pressure[e]) pressure.push_back(round_to(p, stress_digits));
     }
     result.utilisation.push_back(least > 0 ? round_to(std::min(1.0, factor / least), share_digits) : 1);
   }
