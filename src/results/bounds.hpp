@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,6 +31,9 @@ inline double show_upper(double factor) {
 
 /// Factors within this fraction of a bound are not judged by it: searches and slices scatter by as much.
 inline constexpr double judging_tolerance = 2e-3;
+/// Width of an interval over its middle above which no factor is ruled out as too low: the factors left may be too high
+/// by as much as the interval is wide, which would be unsafe.
+inline constexpr double widest_judging = 0.05;
 
 /// "lem.referee" of summary.json: the interval that limit analysis proves for the soil of limit equilibrium. It assumes
 /// ψ = φ, tension up to the apex c/tan φ, and fixed ends and base of the section.
@@ -42,10 +46,16 @@ struct Referee {
   double seconds = 0;
 
   bool is_interval() const { return lower && upper; }
-  /// Classifies a factor of limit equilibrium against the printed bounds.
+  /// Returns the width of the interval over its middle; infinity without one.
+  double find_width() const {
+    return is_interval() ? 2 * (*upper - *lower) / (*upper + *lower) : std::numeric_limits<double>::infinity();
+  }
+  bool is_wide() const { return find_width() > widest_judging; }
+  /// Classifies a factor of limit equilibrium against the printed bounds. Only a narrow interval rules factors out as
+  /// too low.
   Verdict judge(double factor) const {
     if (upper && factor > (1 + judging_tolerance) * show_upper(*upper)) return Verdict::too_high;
-    const bool is_low = lower && !upper_only && factor < (1 - judging_tolerance) * show_lower(*lower);
+    const bool is_low = !is_wide() && !upper_only && factor < (1 - judging_tolerance) * show_lower(*lower);
     return is_low ? Verdict::too_low : Verdict::possible;
   }
 };

@@ -51,7 +51,10 @@ std::string describe_side(const EarthquakeSide& side, const char* what) {
   return text;
 }
 
-std::optional<GoverningSurface> find_governing_surface(const SliceResult& slices, const MethodComparison* methods) {
+namespace {
+
+/// Returns the possible surface with the smallest factor.
+std::optional<GoverningSurface> find_least_surface(const SliceResult& slices, const MethodComparison* methods) {
   std::optional<GoverningSurface> governing;
   const auto take = [&](const std::vector<CriticalSurface>& list, SurfaceSource source, const auto& name) {
     for (const CriticalSurface& c : list)
@@ -72,9 +75,29 @@ std::optional<GoverningSurface> find_governing_surface(const SliceResult& slices
   return governing;
 }
 
+}  // namespace
+
+std::optional<GoverningSurface> find_governing_surface(const SliceResult& slices, const MethodComparison* methods) {
+  const auto least = find_least_surface(slices, methods);
+  const bool is_missed = least && slices.referee && has_verdict(slices, Verdict::too_low) &&
+                         *least->found->surface.factor > (1 + most_above_lower) * *slices.referee->lower;
+  return is_missed ? std::nullopt : least;
+}
+
 std::optional<GoverningSurface> find_governing_surface(const RunResult& run) {
   if (!run.slices) return std::nullopt;
   return find_governing_surface(*run.slices, run.methods ? &*run.methods : nullptr);
+}
+
+std::string describe_ruled_out(const RunResult& run) {
+  if (!run.slices || !run.slices->referee || !run.slices->referee->is_interval() || find_governing_surface(run))
+    return "";
+  const auto least = find_least_surface(*run.slices, run.methods ? &*run.methods : nullptr);
+  if (!least) return "no factor by limit equilibrium is possible";
+  return fmt::format(
+      "lower factors by limit equilibrium are impossible, and the least possible one, {:.3f}, misses the "
+      "lower bound by more than {:.0f} %",
+      *least->found->surface.factor, 100 * most_above_lower);
 }
 
 std::string name_surface(const GoverningSurface& surface, const ShownUnits& units) {

@@ -20,18 +20,26 @@ struct GoverningSurface {
 /// Returns the admissible surface with the smallest factor among the critical circles and polylines, the surfaces of
 /// the case, and the surfaces of other methods that LEM optimised. Of these, the methods with the lowest
 /// rank_equilibrium() that have a factor count. Surfaces that a search would reject count only if there is no other;
-/// surfaces whose factor limit analysis proves impossible never count. Returns nullopt if no surface remains.
+/// surfaces whose factor limit analysis proves impossible never count. Returns nullopt if no surface remains, or if
+/// lower factors were ruled out and the least one left lies more than `most_above_lower` above the lower bound, which
+/// governs then: the surface that the search missed has a factor between them.
 std::optional<GoverningSurface> find_governing_surface(const RunResult& run);
 /// Same for one LEM result; `methods` has the optimised surfaces and may be null.
 std::optional<GoverningSurface> find_governing_surface(const SliceResult& slices, const MethodComparison* methods);
+
+inline constexpr double most_above_lower = 0.03;
+
+/// Returns the reason why the interval of limit analysis is the answer of LEM, such as "no factor by limit equilibrium
+/// is possible"; empty if a surface governs or there is no interval.
+std::string describe_ruled_out(const RunResult& run);
 
 /// Marks the factors outside the interval of limit analysis, and stores its interval in `slices`.
 void take_referee(Referee referee, SliceResult& slices);
 
 /// Same as the next function, for the results of one time of a timeline.
 std::optional<double> find_slices_factor(const SliceResult& slices, const MethodComparison* methods);
-/// Returns the factor of LEM, that of the governing surface. If limit analysis proves all factors impossible, returns
-/// its lower bound if at least one of them lies below that, otherwise its upper bound.
+/// Returns the factor of LEM, that of the governing surface. If none governs, returns the lower bound of limit analysis
+/// if a factor was ruled out as too low, otherwise its upper bound.
 std::optional<double> find_slices_factor(const RunResult& run);
 
 /// Returns a description such as "critical polyline" or "given surface 'bed'".

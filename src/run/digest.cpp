@@ -54,10 +54,9 @@ std::string write_main_factor(const results::RunResult& run) {
   // The governing number of limit analysis is one end of an interval.
   if (run.slices && run.slices->referee && run.slices->referee->is_interval() && !surface &&
       results::find_slices_factor(run) == factor)
-    return fmt::format(
-        "Factor of safety at least {:.3f}, at most {:.3f} (limit analysis; no factor by limit equilibrium is "
-        "possible)\n",
-        results::show_lower(*run.slices->referee->lower), results::show_upper(*run.slices->referee->upper));
+    return fmt::format("Factor of safety at least {:.3f}, at most {:.3f} (limit analysis; {})\n",
+                       results::show_lower(*run.slices->referee->lower),
+                       results::show_upper(*run.slices->referee->upper), results::describe_ruled_out(run));
   if (const auto end = results::find_proven_end(run))
     return *end == results::ProvenEnd::lower
                ? fmt::format("Factor of safety at least {:.3f} (lower bound)\n", results::show_lower(*factor))

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "cases/methods_slope.hpp"
+#include "results/bounds.hpp"
 #include "support/run_json.hpp"
 
 namespace talus {
@@ -236,10 +237,12 @@ methods = [)") +
   const auto [lower, upper] = read_interval(summary);
   const json& fem = summary.at("fem").at("runs").at(0);
   // FEM converges from above: 1.412, 1.311 and 1.299 on 2, 1 and 0.4 m, in [1.268, 1.299] by finer limit analysis. The
-  // value at size zero of the first two, 1.211, is proven too low.
+  // value at size zero of the first two, 1.211, is proven too low, by an interval that is too wide to rule it out.
   EXPECT_GT(fem.at("stable").get<double>(), lower);
   EXPECT_LT(fem.at("stable").get<double>(), 1.05 * upper);
-  EXPECT_EQ(fem.at("verdict").get<std::string>() == "below_lower_bound", fem.at("factor").get<double>() < lower);
+  EXPECT_LT(fem.at("factor").get<double>(), lower);
+  EXPECT_GT(2 * (upper - lower) / (upper + lower), results::widest_judging);
+  EXPECT_EQ(fem.at("verdict").get<std::string>(), "possible");
   EXPECT_FALSE(summary.at("methods").contains("unjudged"));
   const auto explain = [&](const char* methods, const std::string& more) {
     const json rough_wall = run(write(methods, (more + rough).c_str()), {{"support.sheet.interface_strength", "0.67"}});

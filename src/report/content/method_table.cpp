@@ -298,12 +298,16 @@ std::string format_referee(const results::RunResult& run) {
   if (run.timeline || (run.bounds && !run.bounds->error))
     return fmt::format("{} of the soil of limit equilibrium (ψ = φ, tension up to c/tan φ) gives {:.3f} to {:.3f}.",
                        run.timeline ? "At time 0 limit analysis" : "Limit analysis", lower, upper);
+  if (run.slices->referee->is_wide())
+    return fmt::format(
+        "For ψ = φ the factor of safety lies between {:.3f} and {:.3f} by limit analysis, too wide an interval to rule "
+        "out any factor as too low.",
+        lower, upper);
   if (results::find_governing_surface(run))
     return fmt::format("For ψ = φ it lies between {:.3f} and {:.3f} by limit analysis.", lower, upper);
   return fmt::format(
-      "For ψ = φ the factor of safety lies between {:.3f} and {:.3f} by limit analysis. No factor by LEM does, so that "
-      "the interval is the answer.",
-      lower, upper);
+      "For ψ = φ the factor of safety lies between {:.3f} and {:.3f} by limit analysis. That is the answer: {}.", lower,
+      upper, results::describe_ruled_out(run));
 }
 
 std::string format_proven(const results::RunResult& run) {

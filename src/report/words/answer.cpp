@@ -101,8 +101,11 @@ constexpr const char* too_low = "A factor below one: the slope does not stand wi
 void format_methods(const results::RunResult& run, const std::vector<Factor>& factors, json& sentences) {
   const std::string found = format_main_factors(run, factors), proven = format_proven(run),
                     referee = format_referee(run);
-  // If limit analysis rules out all factors of LEM, its interval comes first, otherwise after the answer.
-  const bool is_answer = !run.timeline && !referee.empty() && !results::find_governing_surface(run);
+  // If limit analysis rules out all factors of LEM or cannot rule out any, its interval comes first, otherwise after
+  // the answer.
+  const bool is_answer =
+      !run.timeline && !referee.empty() &&
+      (!results::find_governing_surface(run) || (run.slices->referee->is_wide() && !run.slices->referee->upper_only));
   if (is_answer) sentences.push_back(referee);
   if (found.empty() && proven.empty()) {
     if (is_answer) return;

@@ -41,7 +41,6 @@ input::Case make_case(const input::Case& data) {
   input::Case judged = data;
   judged.bounds.tension = input::BoundsTension::apex;
   judged.bounds.flow = input::BoundsFlow::associated;
-  judged.bounds.size.reset();
   // No slip surface enters these materials, whatever their strength.
   for (const std::string& name : data.lem.impenetrable)
     judged.materials.at(name).model = material::model_of<material::LinearElastic>;

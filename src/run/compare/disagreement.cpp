@@ -29,8 +29,6 @@ constexpr double far_criteria = 0.03;
 constexpr double following = 0.3, more_than_other = 0.15;
 /// With fewer rows of elements across a layer, the layer is too stiff.
 constexpr double fewest_rows = 3;
-/// A wider interval of the referee judges little [-].
-constexpr double wide_interval = 0.1;
 
 double differ(double a, double b) {
   return std::abs(a / b - 1);
@@ -204,14 +202,13 @@ class Warnings {
 
   void warn_of_referee() {
     if (!run_.slices || !run_.slices->referee || !run_.slices->referee->is_interval()) return;
-    const double lower = *run_.slices->referee->lower, upper = *run_.slices->referee->upper,
-                 width = 2 * (upper - lower) / (upper + lower);
-    if (width > wide_interval)
+    const results::Referee& referee = *run_.slices->referee;
+    if (referee.is_wide())
       warnings_.push_back(fmt::format(
           "The factors of limit equilibrium were held against an interval of limit analysis that is {:.0f} % wide, "
-          "{:.3f} to {:.3f}: wrong factors inside it are not found. methods = [\"lem\", \"bounds\"] with a smaller "
-          "[bounds] size may narrow it.",
-          100 * width, results::show_lower(lower), results::show_upper(upper)));
+          "{:.3f} to {:.3f}: no factor is ruled out as too low, and wrong factors inside it are not found. methods = "
+          "[\"lem\", \"bounds\"] with a smaller [bounds] size may narrow it.",
+          100 * referee.find_width(), results::show_lower(*referee.lower), results::show_upper(*referee.upper)));
   }
 
   /// `interval`: the interval of the factor; nullopt: the factor alone. `below`: the reason why the factor may be
