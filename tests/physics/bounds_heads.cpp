@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Heads of bars in limit analysis: each presses on a metre of the ground, whatever the size of the triangles.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 #include "run/bounds/problem_of_case.hpp"
 #include "support/supported_slope.hpp"
@@ -70,6 +73,17 @@ TEST(BoundsHeads, PressOnAMetreOfTheGround) {
   check(write_bars("anchor", "[[11.1, 9.85]]", shorter), "", 1);
   check(write_bars("nail", "[[14.9, 4.15]]", nail), "size = 0.7\n", 1);
   check(write_bars("nail", "[[12.5, 7.75], [12.9, 7.15]]", nail), "", 2);
+}
+
+/// Heads whose coordinates were rounded lie a little inside or outside the face.
+TEST(BoundsHeads, LieOnTheGroundDespiteRounding) {
+  for (const double off : {-5e-5, -5e-7, 5e-7, 5e-5}) {
+    const double along = off / std::sqrt(52.0);  // the outward normal of the face is (6, 4)
+    const std::vector<double> widths = list_head_widths(
+        write_cut(write_bars("nail", fmt::format("[[{:.9f}, {:.9f}]]", 13 + 6 * along, 7 + 4 * along), nail)));
+    ASSERT_EQ(widths.size(), 1u) << off;
+    EXPECT_NEAR(widths[0], 1, 0.02) << off;
+  }
 }
 
 /// A layer that meets the ground at the head, and a line of the water table 0.3 m above it.

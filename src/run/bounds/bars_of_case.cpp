@@ -78,7 +78,11 @@ BarsOfCase::BarsOfCase(const site::Site& site) {
   for (lem::Bar bar : slope.section().bars) {
     if (site.data().supports.at(bar.name).kind == input::SupportKind::wall) continue;
     const auto wall = find_wall(site, walls, bar.head);
-    if (wall) bar.head = find_nearest(walls[*wall].points, bar.head);
+    if (wall)
+      bar.head = find_nearest(walls[*wall].points, bar.head);
+    else if (const Foot foot = find_foot(ground_, bar.head); foot.off <= on_ground)
+      // A head beside the ground by rounding of its coordinates would leave a triangle without area.
+      bar.head = find_place(ground_, foot.along).value_or(bar.head);
     Line line{bar, lem::make_bar_diagram(slope, bar), fmt::format("support {} {}", bar.name, lines_.size() + 1), 0, {},
               wall};
     const double dx = bar.end[0] - bar.head[0], dy = bar.end[1] - bar.head[1];
