@@ -33,6 +33,8 @@ TEST(Materials, CannotCarryMoreTensionThanTheApex) {
   // c/tan φ = 2/tan 30° = 3.464 kPa
   expect_fault("tensile_strength = 0", "tensile_strength = @@3.47", "cohesion/tan(friction_angle) = 3.4641 kPa");
   EXPECT_TRUE(find_faults(change(slope, "tensile_strength = 0", "tensile_strength = 3.46")).empty());
+  EXPECT_TRUE(find_faults(change(slope, "tensile_strength = 0", "tensile_strength = 3.46411")).empty())
+      << "the apex, rounded up to six digits";
   const std::string clay = change(slope, "friction_angle = \"30 deg\"", "friction_angle = 0");
   EXPECT_TRUE(find_faults(change(clay, "tensile_strength = 0", "tensile_strength = 50")).empty()) << "no apex at φ = 0";
 }
