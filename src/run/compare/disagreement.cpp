@@ -239,7 +239,12 @@ class Warnings {
     if ((given || associated) && softens_in_trials(data_))
       causes.push_back(
           "softening, which FEM follows, while LEM and limit analysis use the strength of `limit_strength`");
-    if ((given || associated || results::find_points_factor(run_)) && input::has_passive_supports(data_))
+    // A factor above one makes their force in LEM smaller, and with it the factor; one below one makes both larger.
+    const std::optional<double> slices = results::find_slices_factor(run_),
+                                other = given        ? given->factor
+                                        : associated ? associated->factor
+                                                     : results::find_points_factor(run_);
+    if (slices && other && (*other > *slices) == (*slices > 1) && input::has_passive_supports(data_))
       causes.push_back("passive supports, whose tensile strength the factor divides in LEM, and not in FEM and MPM");
     if (run_.factor_of_safety && run_.factor_of_safety->frozen && !run_.factor_of_safety->frozen->extrapolated)
       causes.push_back(
