@@ -77,7 +77,7 @@ def main():
     with tempfile.TemporaryDirectory() as place:
         for name, text in CASES.items():
             case, folder = pathlib.Path(place) / f"{name}.toml", pathlib.Path(place) / name
-            case.write_text(f'title = "{name}"\n{text}[analysis]\nmethods = ["bounds"]\n[bounds]\ngap = 0.08\n', encoding="utf-8")
+            case.write_text(f'title = "{name}"\n{text}[analysis]\nmethods = ["bounds"]\n[bounds]\ngap = 0.15\n', encoding="utf-8")
             done = subprocess.run([program, "run", case, "-o", folder], capture_output=True, text=True, check=False)
             if done.returncode:
                 sys.exit(f"{name}: {done.stderr}")
