@@ -51,9 +51,16 @@ void flush_folder(const fs::path& folder) {
   throw_cannot_write(path, reason, safe);
 }
 
-/// Renames the completed temporary file to `path`.
+/// Renames the completed temporary file to `path`. A device, a pipe or a socket of this name is not replaced: for the
+/// user root even /dev/null would be.
 void flush_and_rename(const fs::path& path, const std::string& safe) {
   const fs::path temporary = temporary_name(path);
+  std::error_code failure;
+  if (const fs::file_status now = fs::symlink_status(path, failure); fs::exists(now) && fs::is_other(now)) {
+    clear_temporary(path);
+    throw Error(ExitCode::cannot_write, "cannot write '{}': it is a device, a pipe or a socket, not a file",
+                path.string());
+  }
   {
     const Descriptor file(::open(temporary.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC));
     if (file.fd < 0 || ::fsync(file.fd) != 0) give_up(path, errno, safe);

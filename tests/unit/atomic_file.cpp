@@ -3,6 +3,7 @@
 #include "base/atomic_file.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <filesystem>
@@ -48,6 +49,19 @@ TEST_F(ReplacedFile, FollowsNoHardLink) {
   fs::create_hard_link(other, temporary_name(file));
   write_atomically(file, "new");
   EXPECT_EQ(support::read_text(file), "new");
+}
+
+/// root could replace /dev/null.
+TEST_F(ReplacedFile, ReplacesNoPipe) {
+  ASSERT_EQ(::mkfifo(file.c_str(), 0600), 0);
+  try {
+    write_atomically(file, "new");
+    FAIL() << "it was replaced";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("is a device, a pipe or a socket, not a file"), std::string::npos);
+  }
+  EXPECT_TRUE(fs::is_fifo(file));
+  EXPECT_FALSE(fs::exists(temporary_name(file)));
 }
 
 TEST_F(ReplacedFile, HistoriesAndFilesInHdf5FollowNoneEither) {
