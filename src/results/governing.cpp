@@ -79,7 +79,8 @@ std::optional<GoverningSurface> find_least_surface(const SliceResult& slices, co
 
 std::optional<GoverningSurface> find_governing_surface(const SliceResult& slices, const MethodComparison* methods) {
   const auto least = find_least_surface(slices, methods);
-  const bool is_missed = least && slices.referee && has_verdict(slices, Verdict::too_low) &&
+  const bool is_missed = least && slices.search && slices.referee && slices.referee->lower &&
+                         has_verdict(slices, Verdict::too_low) &&
                          *least->found->surface.factor > (1 + most_above_lower) * *slices.referee->lower;
   return is_missed ? std::nullopt : least;
 }
@@ -95,8 +96,8 @@ std::string describe_ruled_out(const RunResult& run) {
   const auto least = find_least_surface(*run.slices, run.methods ? &*run.methods : nullptr);
   if (!least) return "no factor by limit equilibrium is possible";
   return fmt::format(
-      "lower factors by limit equilibrium are impossible, and the least possible one, {:.3f}, misses the "
-      "lower bound by more than {:.0f} %",
+      "lower factors by limit equilibrium are impossible, and the least possible one, {:.3f}, lies "
+      "more than {:.0f} % above the lower bound",
       *least->found->surface.factor, 100 * most_above_lower);
 }
 

@@ -22,7 +22,8 @@ struct GoverningSurface {
 /// rank_equilibrium() that have a factor count. Surfaces that a search would reject count only if there is no other;
 /// surfaces whose factor limit analysis proves impossible never count. Returns nullopt if no surface remains, or if
 /// lower factors were ruled out and the least one left lies more than `most_above_lower` above the lower bound, which
-/// governs then: the surface that the search missed has a factor between them.
+/// governs then: the surface that the search missed has a factor between them. Given surfaces without a search miss
+/// none.
 std::optional<GoverningSurface> find_governing_surface(const RunResult& run);
 /// Same for one LEM result; `methods` has the optimised surfaces and may be null.
 std::optional<GoverningSurface> find_governing_surface(const SliceResult& slices, const MethodComparison* methods);
