@@ -15,11 +15,11 @@ namespace {
 void open_soil(const Problem& problem, const Velocities& mesh, double factor, double length, OpeningSearch& openings,
                std::vector<double>& numbers) {
   const auto get_soil = [&](std::size_t i) -> const Strength& { return problem.strength[i / 3][i % 3]; };
-  const Units units = find_units(problem);
+  const std::vector<bool> opens = find_opening_corners(problem, mesh);
   const std::vector<Strain> strains = find_strains(problem, mesh, numbers);
   bool lacks = false;
   for (std::size_t i = 0; i < strains.size(); ++i)
-    lacks = lacks || (may_open(problem, i / 3, i % 3, units) && find_lack(get_soil(i), factor, strains[i]) > 0);
+    lacks = lacks || (opens[i] && find_lack(get_soil(i), factor, strains[i]) > 0);
   const std::vector<OpeningLimit> limits = list_opening_limits(problem, mesh);
   const auto find_limit_lack = [&](const OpeningLimit& limit, const std::vector<double>& of) {
     return std::abs(evaluate(limit.slip, of)) * limit.tan_friction / factor - evaluate(limit.opening, of);
@@ -33,10 +33,10 @@ void open_soil(const Problem& problem, const Velocities& mesh, double factor, do
   double share = 0;
   // The field opens the soil itself, and what slips on weak planes lacks no more with it.
   for (std::size_t i = 0; i < strains.size(); ++i)
-    if (may_open(problem, i / 3, i % 3, units)) {
-      const double opens = own[i].opening - find_sine(get_soil(i), factor) * own[i].find_shear();
+    if (opens[i]) {
+      const double margin = own[i].opening - find_sine(get_soil(i), factor) * own[i].find_shear();
       share = std::max(
-          share, (find_lack(get_soil(i), factor, strains[i]) + rounding_of_sums * strains[i].find_shear()) / opens);
+          share, (find_lack(get_soil(i), factor, strains[i]) + rounding_of_sums * strains[i].find_shear()) / margin);
     }
   for (const OpeningLimit& limit : limits) {
     const double rounding_of_slip = rounding_of_sums * std::abs(evaluate(limit.slip, numbers));

@@ -159,7 +159,7 @@ void visit_strains(const Problem& problem, const Velocities& mesh, std::size_t e
 /// Returns the program of the largest t with ε_v − t ≥ sin φ √(…) at the corners that may open, and as much at the
 /// contacts with walls, where the sum of the means of both is one.
 ConicProgram make_program(const Problem& problem, const Velocities& mesh, double factor, double length) {
-  const Units units = find_units(problem);
+  const std::vector<bool> opens = find_opening_corners(problem, mesh);
   ConicProgram program;
   const int margin = mesh.count;
   program.variables = mesh.count + 1;
@@ -171,10 +171,10 @@ ConicProgram make_program(const Problem& problem, const Velocities& mesh, double
   double area = 0;
   for (std::size_t e = 0; e < problem.size(); ++e)
     for (std::size_t c = 0; c < 3; ++c)
-      if (may_open(problem, e, c, units)) area += find_shape(problem, e).area / 3;
+      if (opens[3 * e + c]) area += find_shape(problem, e).area / 3;
   for (std::size_t e = 0; e < problem.size(); ++e)
     for (std::size_t c = 0; c < 3; ++c) {
-      if (!may_open(problem, e, c, units)) continue;
+      if (!opens[3 * e + c]) continue;
       const double share = find_shape(problem, e).area / 3 / area * length;
       visit_strains(problem, mesh, e, c, [&](int n, const auto& row) {
         mean.push_back({n, share * (row[0] + row[1])});
@@ -188,7 +188,7 @@ ConicProgram make_program(const Problem& problem, const Velocities& mesh, double
   program.equations = program.rows.count();
   for (std::size_t e = 0; e < problem.size(); ++e)
     for (std::size_t c = 0; c < 3; ++c) {
-      if (!may_open(problem, e, c, units)) continue;
+      if (!opens[3 * e + c]) continue;
       const double sine = find_sine(problem.strength[e][c], factor);
       visit_strains(problem, mesh, e, c, [&](int n, const auto& row) {
         entries.push_back({n, -length * (row[0] + row[1])});
@@ -223,16 +223,14 @@ bool opens_everywhere(const Problem& problem, const Velocities& mesh, double fac
                       const std::vector<double>& numbers) {
   constexpr double least = 1e-6;  ///< margin over the mean
   constexpr double rounding_of_volume = 1e-11;
-  const Units units = find_units(problem);
+  const std::vector<bool> opens = find_opening_corners(problem, mesh);
   const std::vector<Strain> strains = find_strains(problem, mesh, numbers);
   double largest = 0;
   for (const Strain& s : strains) largest = std::max({largest, std::abs(s.opening), s.find_shear()});
   for (std::size_t i = 0; i < strains.size(); ++i) {
     const Strength& soil = problem.strength[i / 3][i % 3];
     const double margin = length * (strains[i].opening - find_sine(soil, factor) * strains[i].find_shear());
-    if (may_open(problem, i / 3, i % 3, units) ? margin < least
-                                               : std::abs(strains[i].opening) > rounding_of_volume * largest)
-      return false;
+    if (opens[i] ? margin < least : std::abs(strains[i].opening) > rounding_of_volume * largest) return false;
   }
   for (const OpeningLimit& limit : list_opening_limits(problem, mesh))
     if (evaluate(limit.opening, numbers) - limit.tan_friction / factor * std::abs(evaluate(limit.slip, numbers)) <
@@ -278,6 +276,19 @@ std::vector<Strain> find_strains(const Problem& problem, const Velocities& mesh,
       strains.push_back({sum[0] + sum[1], sum[0] - sum[1], sum[2]});
     }
   return strains;
+}
+
+std::vector<bool> find_opening_corners(const Problem& problem, const Velocities& mesh) {
+  const Units units = find_units(problem);
+  std::vector<bool> opens(3 * problem.size(), false);
+  for (std::size_t e = 0; e < problem.size(); ++e)
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (!may_open(problem, e, c, units)) continue;
+      visit_strains(problem, mesh, e, c, [&](int, const std::array<double, 3>& row) {
+        if (row[0] != 0 || row[1] != 0 || row[2] != 0) opens[3 * e + c] = true;
+      });
+    }
+  return opens;
 }
 
 SparseRows list_openings(const Problem& problem, const Velocities& mesh, double length) {

@@ -67,12 +67,16 @@ inline bool may_open(const Problem& problem, std::size_t e, std::size_t c, const
   return (soil.tan_friction > 0 || soil.tension.has_value()) && !is_rigid(problem.strength[e], units);
 }
 
+/// Returns the corners, three of each triangle, that may open and can strain: where one triangle fills the corner
+/// between two fixed sides, it strains there in no field, and satisfies every flow rule.
+std::vector<bool> find_opening_corners(const Problem& problem, const Velocities& mesh);
+
 /// Returns the rows of div u = 0 at the corners that may not open, times the length of the section.
 SparseRows list_openings(const Problem& problem, const Velocities& mesh, double length);
 
-/// Velocity field of one mesh with ε_v > sin φ √((ε_x − ε_y)² + γ²) at every corner that may open, and ε_v = 0 at the
-/// others, whatever slips on weak planes: the lifting field, or, where supports or other soil do not permit that, the
-/// field of the largest margin.
+/// Velocity field of one mesh with ε_v > sin φ √((ε_x − ε_y)² + γ²) at every corner that may open and can strain, and
+/// ε_v = 0 at the others, whatever slips on weak planes: the lifting field, or, where supports or other soil do not
+/// permit that, the field of the largest margin.
 class OpeningSearch {
  public:
   /// Returns the velocities by degree of freedom; nullptr if there are none. Those of an earlier factor are reused if

@@ -12,6 +12,7 @@
 #include "bounds/find_bounds.hpp"
 #include "bounds/problem.hpp"
 #include "bounds/refine.hpp"
+#include "bounds/velocities.hpp"
 #include "support/bounds_sections.hpp"
 
 namespace talus::bounds {
@@ -368,6 +369,22 @@ TEST(Bounds, CornersAreWhereLoadsJump) {
   Side& jumps = p.sides.back();
   for (Vec<2>& t : jumps.traction) t[1] *= 2;
   EXPECT_GT(find_corners(p).size(), level.size());
+}
+
+/// One triangle fills the corner between a fixed base and a fixed end. It cannot strain at that corner, where every
+/// flow rule holds with no margin, and its velocities are corrected as those of any other.
+TEST(Bounds, SoilOpensBesideATriangleBetweenFixedSides) {
+  Problem p;
+  p.nodes = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  p.triangles = {{0, 1, 3}, {1, 2, 3}};
+  p.sides = {{0, 1, true, true, {}}, {3, 0, true, true, {}}};
+  fill(p, 1, 30, 1);
+  const Velocities mesh = number_velocities(p, find_units(p));
+  const std::vector<bool> opens = find_opening_corners(p, mesh);
+  EXPECT_FALSE(opens[0]);
+  EXPECT_EQ(std::count(opens.begin(), opens.end(), true), 5);
+  OpeningSearch search;
+  EXPECT_NE(search.find(p, mesh, 1, 1), nullptr);
 }
 
 TEST(Bounds, RefinementKeepsTheSection) {
