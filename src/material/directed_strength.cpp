@@ -157,79 +157,13 @@ Bedding Bedding::make(const Input& in, const StrengthChange& change) {
   const BeddingInput& s = in.get<BeddingInput>();
   StrengthChange rest = change;
   rest.cohesion.reset();  // the cohesion of a stage is that of the soil
-  const double apex = s.bedding_friction > 0 ? s.bedding_cohesion / std::tan(s.bedding_friction) : s.bedding_cohesion;
-  const double tension = std::min(in.get<MohrCoulombStrength>().tensile_strength, apex);
-  const MohrCoulombStrength planes{s.bedding_cohesion, s.bedding_friction, s.bedding_dilatancy, tension};
+  // The tensile strength of the rock limits tension on planes of all directions.
+  const MohrCoulombStrength planes{s.bedding_cohesion, s.bedding_friction, s.bedding_dilatancy, 0};
   return {
       {LinearElastic::make(in), in.get<MohrCoulombStrength>().changed(change)}, planes.changed(rest), s.bedding_angle};
 }
 
 Bedding::Bedding(const MohrCoulomb& soil, const MohrCoulombStrength& planes, double angle)
     : PointLaw(soil.elastic()), soil_(soil), planes_(planes), along_{std::cos(angle), std::sin(angle)} {}
-
-template <int NS>
-Response<double> Bedding::update_point(double* sigma, const double* d_epsilon, double* state,
-                                       const Surroundings<double>& given) const {
-  constexpr int most_turns = 50;
-  Surroundings<double> around;
-  around.gaps = given.gaps;
-  Response<double> response = soil_.update<NS>(sigma, d_epsilon, state, true, around);
-  double first[NS];
-  std::copy_n(sigma, NS, first);
-  // Further returns to the soil's surface have no strain, and gaps are those of the first and of what opens here.
-  const double none[NS]{};
-  bool slides = false;
-  for (int i = 0; i < most_turns && slide<NS>(sigma, state, response); ++i) {
-    slides = true;
-    const Response<double> more = soil_.update<NS>(sigma, none, state, true, Surroundings<double>{});
-    if (!more.any_plastic) break;
-    response.plastic_dilation += more.plastic_dilation;
-    response.dissipation += more.dissipation;
-    response.opened += more.opened;
-    if (given.gaps != Gaps::ignored && more.opened > 0) response.gap = state[1] += more.opened;
-  }
-  // The work of the step is that of the mean of its first and its last stress.
-  if (slides)
-    for (int i = 0; i < NS; ++i) response.dissipation += 0.5 * (sigma[i] - first[i]) * d_epsilon[i];
-  return response;
-}
-
-template <int NS>
-bool Bedding::slide(double* sigma, double* state, Response<double>& response) const {
-  const double stiffness = lambda + 2 * mu, tolerance = 1e-12 * mu;
-  const double c = along_[0], s = along_[1];
-  // Components in the axes of the plane: along it, normal to it, and across the section.
-  const double normal = s * s * sigma[0] + c * c * sigma[1] - 2 * s * c * sigma[3];
-  const double along = s * c * (sigma[1] - sigma[0]) + (c * c - s * s) * sigma[3];
-  const double across = NS == 6 ? c * sigma[4] - s * sigma[5] : 0, shear = std::hypot(along, across);
-  const double friction = std::tan(planes_.friction_angle), dilation = std::tan(planes_.dilatancy_angle);
-  const double excess = shear + normal * friction - planes_.cohesion;
-  if (!(excess > tolerance || normal > planes_.tensile_strength + tolerance)) return false;
-  double slip = std::max(0.0, excess) / (mu + stiffness * friction * dilation), opening = slip * dilation;
-  if (normal - stiffness * opening > planes_.tensile_strength) {
-    opening = (normal - planes_.tensile_strength) / stiffness;
-    slip = std::max(0.0, shear - (planes_.cohesion - friction * planes_.tensile_strength)) / mu;
-  }
-  // Stress of the plastic strain: slip along the plane, and opening normal to it.
-  const double less = shear > 0 ? mu * slip / shear : 0;
-  const double t1 = less * along, t2 = less * across, lost = 2 * mu * opening, pressure = lambda * opening;
-  const double now_shear = shear - mu * slip, now_normal = normal - stiffness * opening;
-  sigma[0] += 2 * s * c * t1 - s * s * lost - pressure;
-  sigma[1] -= 2 * s * c * t1 + c * c * lost + pressure;
-  sigma[2] -= pressure;
-  sigma[3] -= (c * c - s * s) * t1 - s * c * lost;
-  if constexpr (NS == 6) {
-    sigma[4] -= c * t2;
-    sigma[5] += s * t2;
-  }
-  state[0] += std::sqrt(slip * slip / 3 + 4.0 / 9 * opening * opening);
-  response.any_plastic = true;
-  response.plastic_dilation += opening;
-  response.dissipation += 0.5 * ((shear + now_shear) * slip + (normal + now_normal) * opening);
-  return true;
-}
-
-template Response<double> Bedding::update_point<4>(double*, const double*, double*, const Surroundings<double>&) const;
-template Response<double> Bedding::update_point<6>(double*, const double*, double*, const Surroundings<double>&) const;
 
 }  // namespace talus::material

@@ -48,8 +48,8 @@ struct Anisotropic : SliceLaw<Anisotropic> {
   static StrengthLaw make_strength(const Input& in);
 };
 
-/// Mohr–Coulomb soil with one family of planes of another strength: the stress returns to the surface of the soil and
-/// to that of the planes in turn until neither is exceeded. State variables are Mohr–Coulomb's.
+/// Mohr–Coulomb soil with one family of planes of another strength. The stress returns to both surfaces at once, with
+/// the plastic strain of each at the returned stress (bedding_return.cpp). State variables are Mohr–Coulomb's.
 class Bedding : public PointLaw<Bedding> {
  public:
   static constexpr Traits traits{
@@ -78,16 +78,19 @@ class Bedding : public PointLaw<Bedding> {
   static void show(const double* state, double /*saturation*/, double* values) { values[0] = state[1]; }
   static double find_gap(const double* state) { return state[1]; }
 
+  /// Writes the consistent tangent ∂σ/∂ε [Pa], NS × NS by rows, to `tangent` unless it is null.
   template <int NS>
   Response<double> update_point(double* sigma, const double* d_epsilon, double* state,
-                                const Surroundings<double>& given) const;
+                                const Surroundings<double>& given, double* tangent = nullptr) const;
 
  private:
   Bedding(const MohrCoulomb& soil, const MohrCoulombStrength& planes, double angle);
 
-  /// Returns the stress to the strength of the planes; false if it was within.
   template <int NS>
-  bool slide(double* sigma, double* state, Response<double>& response) const;
+  bool exceeds_planes(const double* sigma) const;
+  /// Performs the update without gaps.
+  template <int NS>
+  Response<double> update_coherent(double* sigma, const double* d_epsilon, double* state, double* tangent) const;
 
   MohrCoulomb soil_;
   MohrCoulombStrength planes_;

@@ -2,6 +2,7 @@
 // Limit analysis from a case file: together with LEM; with water, loads and layers; stored results, messages and
 // rejected input.
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <numbers>
@@ -158,19 +159,14 @@ TEST_F(BoundsTest, ContainLimitEquilibriumWithCurvedEnvelopes) {
   }
 }
 
-/// A block of strong rock on the bedding that leaves the face at its toe: F = (c_b L + W cos β tan φ_b)/(W sin β).
-TEST_F(BoundsTest, BlockOnItsBedding) {
-  const double beta = std::numbers::pi / 6, height = 10, weight = 0.5 * 25 * height * height * (std::sqrt(3.0) - 0.6);
-  const double exact =
-      (20 * height / std::sin(beta) + weight * std::cos(beta) * std::tan(25 * std::numbers::pi / 180)) /
-      (weight * std::sin(beta));
-  const auto write = [](const char* methods, const char* more) {
-    return std::string(R"(title = "Rock on its bedding"
+/// A block of strong rock, 10 m high, on the bedding that leaves the face at its toe.
+std::string write_block(const char* methods, const char* more) {
+  return std::string(R"(title = "Rock on its bedding"
 geometry.polygon = [{ name = "rock", points = [[0, 0], [35, 0], [35, 15], [14, 15], [8, 5], [0, 5]] }]
 regions.rock = "schist"
 boundary = [{ on = "bottom", fix = "full" }, { on = "left", fix = "normal" }, { on = "right", fix = "normal" }]
 analysis.methods = [)") +
-           methods + R"(]
+         methods + R"(]
 [materials.schist]
 model = "bedding"
 unit_weight = 25
@@ -186,8 +182,20 @@ dilatancy_angle = 40
 young_modulus = 1e6
 poisson_ratio = 0.3
 )" + more;
-  };
-  const json summary = run(write("\"fem\", \"bounds\"", "[fem]\nsize = 1.6\n[bounds]\ngap = 0.05\ntriangles = 2500\n"));
+}
+
+/// F = (c_b L + W cos β tan φ_b)/(W sin β) of the block in front of a vertical crack, `back` behind the toe [m].
+double compute_block_factor(double back) {
+  const double beta = std::numbers::pi / 6;
+  const double weight = 25 * (10 * back - 0.5 * 6 * 10 - 0.5 * back * back * std::tan(beta));
+  return (20 * back / std::cos(beta) + weight * std::cos(beta) * std::tan(25 * std::numbers::pi / 180)) /
+         (weight * std::sin(beta));
+}
+
+TEST_F(BoundsTest, BlockOnItsBedding) {
+  const double exact = compute_block_factor(10 * std::sqrt(3.0));
+  const json summary =
+      run(write_block("\"fem\", \"bounds\"", "[fem]\nsize = 1.6\n[bounds]\ngap = 0.05\ntriangles = 2500\n"));
   const auto [lower, upper] = read_interval(summary);
   EXPECT_LE(lower, exact);
   EXPECT_GE(upper, exact);
@@ -196,12 +204,27 @@ poisson_ratio = 0.3
   EXPECT_FALSE(summary.at("methods").contains("unjudged"));
   // LEM has the strength of the bedding in a range of directions, so that limit analysis does not judge it.
   const std::string lem = "[lem]\nmethods = [\"spencer\", \"janbu\"]\nyield_acceleration = false\nreferee = false\n";
-  const json with_lem = run(write("\"lem\", \"bounds\"", (lem + rough).c_str()));
+  const json with_lem = run(write_block("\"lem\", \"bounds\"", (lem + rough).c_str()));
   for (const json& polyline : with_lem.at("lem").at("noncircular"))
     EXPECT_NEAR(polyline.at("factor").get<double>(), exact, 1e-3 * exact) << "the search starts along the bedding";
   EXPECT_NE(with_lem.at("methods").at("unjudged").get<std::string>().find("'schist' has a range of directions"),
             std::string::npos);
   EXPECT_EQ(find_text(with_lem.at("warnings"), "above the upper bound"), "");
+}
+
+/// Rock without tensile strength cracks, and the front of the block slides alone; without dilatancy as well.
+TEST_F(BoundsTest, CrackedBlockOnItsBedding) {
+  double exact = compute_block_factor(17);
+  for (int i = 700; i < 1700; ++i) exact = std::min(exact, compute_block_factor(0.01 * i));
+  EXPECT_NEAR(exact, 1.2567, 1e-4);
+  for (const char* rock : {"40", "0"}) {
+    const char* planes = rock[0] == '0' ? "0" : "25";
+    const json summary = run(write_block("\"fem\"", "[fem]\nsize = 1.6\nmeshes = 1\n"),
+                             {{"materials.schist.tensile_strength", "0"},
+                              {"materials.schist.dilatancy_angle", rock},
+                              {"materials.schist.bedding_dilatancy", planes}});
+    EXPECT_NEAR(summary.at("fem").at("runs").at(0).at("factor").get<double>(), exact, 0.04 * exact) << rock;
+  }
 }
 
 /// Smooth walls are the same in FEM and in limit analysis. Rough interfaces dilate and keep their adhesion in the

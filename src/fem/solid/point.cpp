@@ -82,7 +82,12 @@ void differentiate(const L& law, double saturation, const double* d_epsilon, con
 template <int NS, class L>
 PointAnswer update_with_tangent(const L& law, double saturation, const double* d_epsilon, double* sigma, double* state,
                                 double* tangent) {
-  if constexpr (L::traits.is_opaque) {
+  const Surroundings<double> around{saturation};
+  if constexpr (requires { law.template update_point<NS>(sigma, d_epsilon, state, around, tangent); }) {
+    PointAnswer answer{law.template update_point<NS>(sigma, d_epsilon, state, around, tangent).any_plastic, true};
+    answer.symmetric = is_symmetric<NS>(tangent);
+    return answer;
+  } else if constexpr (L::traits.is_opaque) {
     std::array<double, NS> old_sigma;
     std::array<double, L::state_size> old_state;
     std::copy_n(sigma, NS, old_sigma.begin());
@@ -118,9 +123,9 @@ PointAnswer update_with_tangent(const L& law, double saturation, const double* d
       d[k] = T::variable(d_epsilon[i], i);
     }
     for (std::size_t i = 0; i < L::state_size; ++i) q[i] = T(old_state[i]);
-    Surroundings<T> around;
-    around.saturation = T(saturation);
-    law.template update<NS, T>(s.data(), d.data(), q.data(), true, around);
+    Surroundings<T> dual_around;
+    dual_around.saturation = T(saturation);
+    law.template update<NS, T>(s.data(), d.data(), q.data(), true, dual_around);
     for (int i = 0; i < NS; ++i)
       for (int j = 0; j < NS; ++j) tangent[i * NS + j] = s[static_cast<std::size_t>(i)].slope[j];
     answer.symmetric = is_symmetric<NS>(tangent);
