@@ -159,10 +159,10 @@ class Lower:
             own = force[:, 1] / section.vertical
             extremes = np.array([section.find_extreme_weights(s) for s in self.mesh.soils])
             self.imbalance = (np.maximum(np.maximum(extremes[:, 0] - own, own - extremes[:, 1]), 0) * size).max() / section.unit
-            wet = pressure.min(axis=1) > 0
-            self.imbalance = max(self.imbalance, (np.abs(own - extremes[:, 1]) * size)[wet].max(initial=0) / section.unit)
             self.imbalance = max(self.imbalance, np.abs((force[:, 0] + self.way * section.horizontal * own) * size).max() / section.unit)
-            self.moved, self.added, self.file_water = 0.0, 0.0, FileWater(self.mesh, pressure, own)
+            off = np.where(pressure.min(axis=1) > 0, own - extremes[:, 1], 0) * self.mesh.area
+            self.moved, self.added = np.abs(off).sum() / (own * self.mesh.area).sum(), off.sum() / (own * self.mesh.area).sum()
+            self.file_water = FileWater(self.mesh, pressure, own)
             self.taken += ["pore pressures of seepage", "weights of partly saturated soil"]
             return
         own = force[:, 1] / section.vertical  # the weight with which the field is in equilibrium
@@ -278,7 +278,8 @@ class Upper:
         dissipation = (part * whole).sum()
         if bars:
             dissipation += bars.find_dissipation(mesh, velocity, printed)
-        self.ratio, self.lack = work / dissipation if dissipation > 0 else math.inf, (part * lack).sum() / (part * shear).sum()
+        self.ratio = work / dissipation if dissipation > 0 else math.inf if work > 0 else 0.0
+        self.lack = (part * lack).sum() / (part * shear).sum()
 
     @staticmethod
     def check_continuity(mesh):

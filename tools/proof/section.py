@@ -57,6 +57,8 @@ class Section:
 
     def read_sides(self, case):
         self.sides = {}
+        box = get(case["geometry"], "box")
+        self.box_low, self.box_high = (self.low, self.high) if box is None or not len(box) else (box[0], box[1])
         given = [(get(b, "on"), get(b, "fix"), get(b, "normal")) for b in case["boundary"]] or [(s, "normal", None) for s in ("left", "right")] + [
             ("bottom", "normal", None)]
         for on, fix, normal in given:
@@ -259,13 +261,14 @@ class Section:
         return traction
 
     def is_on_side(self, name, middle):
-        axis, value = {"bottom": (1, self.low[1]), "left": (0, self.low[0]), "right": (0, self.high[0]), "top": (1, self.high[1])}[name]
+        low, high = self.box_low, self.box_high
+        axis, value = {"bottom": (1, low[1]), "left": (0, low[0]), "right": (0, high[0]), "top": (1, high[1])}[name]
         return abs(middle[axis] - value) < self.near
 
     def find_support(self, p, q):
         """Directions that a side from p to q holds: "full", "normal" or None."""
         held = None
-        for name, axis, value in (("bottom", 1, self.low[1]), ("left", 0, self.low[0]), ("right", 0, self.high[0])):
+        for name, axis, value in (("bottom", 1, self.box_low[1]), ("left", 0, self.box_low[0]), ("right", 0, self.box_high[0])):
             if name in self.sides and abs(p[axis] - value) < self.near and abs(q[axis] - value) < self.near:
                 held = "full" if held == "full" else self.sides[name]
         for name, points in self.lines.items():

@@ -54,11 +54,30 @@ def write_geometry(lines, problem):
     lines.append("")
 
 
+def write_history(lines, material):
+    """Undrained strengths of a profile or a stress history [kPa, m]."""
+    lines.append(f'model = "{"shansep" if material.get("strength_ratio") else "tresca"}"')
+    for key in ("strength_ratio", "strength_exponent", "added_strength", "ocr", "profile_depths", "profile_levels", "profile_strengths",
+                "profile_preconsolidation"):
+        if material.get(key) is not None:
+            value = material[key]
+            lines.append(f"{key} = [{', '.join(map(number, value))}]" if isinstance(value, list) else f"{key} = {number(value)}")
+
+
 def write_strength(lines, problem, material):
     """Model and strength of a soil; the words of its [materials.NAME]."""
     units, c, phi = problem.units, material.get("c", 0), material.get("phi", 0)
     if material.get("elastic"):
         lines.append('model = "linear_elastic"')
+    elif material.get("strength_ratio") or material.get("profile_strengths"):
+        write_history(lines, material)
+    elif material.get("table"):
+        lines.append('model = "strength_table"')
+        lines += [f"{key} = [{', '.join(map(number, values))}]" for key, values in zip(("normal_stresses", "shear_strengths"), material["table"])]
+    elif material.get("bedding"):
+        angle, cohesion, friction = material["bedding"]
+        lines += ['model = "bedding"', f"cohesion = {quantity(c, units.stress_name)}", f"friction_angle = {number(phi)}", f"bedding_angle = {number(angle)}",
+                  f"bedding_cohesion = {quantity(cohesion, units.stress_name)}", f"bedding_friction = {number(friction)}", "bedding_range = 5"]
     elif material.get("power"):
         factor, exponent, shift = material["power"]
         lines += ['model = "power_curve"', f"power_factor = {number(factor)}", f"power_exponent = {number(exponent)}"]
@@ -81,7 +100,9 @@ def write_stiffness(lines, problem, material, largest_tension):
     lines += ['young_modulus = "100 MPa"', "poisson_ratio = 0.3"]
     if material.get("elastic"):
         return
-    if material.get("power") or material.get("hoek_brown"):
+    if material.get("strength_ratio") or material.get("profile_strengths"):
+        return
+    if material.get("power") or material.get("hoek_brown") or material.get("table"):
         lines.append("dilatancy_ratio = 0")
     elif c or phi or material.get("cu_rate_per_depth"):
         apex = c / math.tan(math.radians(phi)) if phi > 0 else 10 * c

@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Random slopes with layers, water, loads and earthquakes (number N is always the same slope), and the gates of their factors."""
+"""Random slopes with layers, water, loads and earthquakes (number N is always the same slope), and the gates of their factors.
+
+Numbers above `VARIED` have one of the laws below in a soil, or in all of them, besides."""
 import random
+
+VARIED = 1000
 
 RIGOROUS = ("spencer", "morgenstern_price")
 
@@ -64,6 +68,73 @@ def draw_slope(number):
     return entry
 
 
+def draw_gradient(rng, material, top, height):
+    """Strength that grows below a level inside the section."""
+    return {"cu_rate_per_depth": round(rng.uniform(0.5, 3), 2), "cu_ref_elev": round(top - rng.uniform(0, 1) * height, 3),
+            "c": round(rng.uniform(5, 30), 1)}
+
+
+def draw_profile(rng, material, top, height):
+    """Undrained strengths by depth or level, with a weaker zone below a crust."""
+    weak = round(rng.uniform(12, 30), 1)
+    strengths = [round(weak * rng.uniform(1, 2.5), 1), weak, round(weak * rng.uniform(1.2, 2.5), 1)]
+    crust, deep = round(rng.uniform(0.1, 0.4) * height, 2), round(rng.uniform(0.8, 1.5) * height, 2)
+    if rng.random() < 0.5:
+        return {"profile_depths": [0, crust, deep], "profile_strengths": strengths, "phi": 0}
+    return {"profile_levels": [round(top, 3), round(top - crust, 3), round(top - deep, 3)], "profile_strengths": strengths, "phi": 0}
+
+
+def draw_shansep(rng, material, top, height):
+    values = {"strength_ratio": round(rng.uniform(0.2, 0.32), 3), "strength_exponent": round(rng.uniform(0.7, 0.9), 2),
+              "added_strength": rng.choice((0, 5)), "phi": 0}
+    if rng.random() < 0.5:
+        return values | {"ocr": round(rng.uniform(1, 4), 2)}
+    return values | {"profile_levels": [round(top, 3), round(top - 1.5 * height, 3)],
+                     "profile_preconsolidation": [round(rng.uniform(60, 150), 1), round(rng.uniform(150, 400), 1)]}
+
+
+def draw_power(rng, material, top, height):
+    return {"power": [round(rng.uniform(1, 3), 2), round(rng.uniform(0.65, 0.9), 2), rng.choice((0, 2, 5))]}
+
+
+def draw_table(rng, material, top, height):
+    """A concave envelope of four points [kPa]."""
+    slopes = sorted((rng.uniform(0.25, 0.9) for _ in range(3)), reverse=True)
+    stresses, strengths = [0, 40, 120, 300], [round(rng.uniform(1, 10), 1)]
+    for a, b, slope in zip(stresses, stresses[1:], slopes):
+        strengths.append(round(strengths[-1] + slope * (b - a), 1))
+    return {"table": [stresses, strengths]}
+
+
+def draw_rock(rng, material, top, height):
+    return {"hoek_brown": [round(rng.uniform(0.5, 3), 2), round(rng.uniform(10, 25), 1), round(rng.uniform(5, 10), 1)]}
+
+
+def draw_bedding(rng, material, top, height):
+    return {"bedding": [round(rng.uniform(-40, 40), 1), round(rng.uniform(1, 15), 1), round(rng.uniform(12, 28), 1)],
+            "c": round(rng.uniform(10, 40), 1), "phi": round(rng.uniform(25, 38), 1)}
+
+
+LAWS = {"gradient": draw_gradient, "profile": draw_profile, "shansep": draw_shansep, "power curve": draw_power, "table": draw_table,
+        "Hoek-Brown": draw_rock, "bedding": draw_bedding}
+
+
+def draw_varied_slope(number):
+    """A random slope of which one soil has the law number % 7; of a tenth all soils have one, each with numbers of its own."""
+    rng = random.Random(70000 + number)
+    entry = draw_slope(number - VARIED)
+    law = list(LAWS)[number % len(LAWS)]
+    height, chosen = entry["ground"][2][1], rng.randrange(len(entry["materials"]))
+    for place, material in enumerate(entry["materials"]):
+        if place == chosen or rng.random() < 0.1:
+            material.update(LAWS[law](rng, material, height, height))
+    return entry | {"id": f"slope_{number}", "title": f"random slope {number}", "law": law}
+
+
+def draw_any_slope(number):
+    return draw_varied_slope(number) if number > VARIED else draw_slope(number)
+
+
 def find_gate_faults(slices):
     """Factors of limit equilibrium that the program should not have printed."""
     faults = []
@@ -89,4 +160,5 @@ def find_gate_faults(slices):
 def describe(entry):
     parts = [f"{len(entry['layer_lines'])} soil{'s' * (len(entry['layer_lines']) > 1)}"]
     parts += [word for key, word in (("piezo", "water"), ("dloads", "load"), ("kh", "earthquake")) if entry.get(key)]
+    parts += [entry["law"]] if entry.get("law") else []
     return ", ".join(parts)
