@@ -7,7 +7,7 @@ Usage: tools/check_numbers.py PROGRAM [--write | --threads] [--only NAME …]
 tests/data/reference_numbers.json holds numbers of the cases CHECKED. They agree within 1e-12 of the largest stored number of their column
 on every processor, instruction set and compiler. --write stores the numbers of this program; a change of them belongs in CHANGELOG.md,
 with its size and reason. --threads runs the cases of THREADED with one and with two threads instead: the numbers of every file must be
-bitwise identical. Ends with 1 where a number differs.
+bitwise identical, and those that are stored must agree as well. Ends with 1 where a number differs.
 """
 import argparse
 import csv
@@ -131,8 +131,11 @@ def find_differences(name, stored, found):
 
 
 def compare_threads(program, names):
+    stored = json.loads(STORED.read_text(encoding="utf-8"))
     for name in names:
-        one, two = (run(program, name, threads, hash_files) for threads in (1, 2))
+        files = CHECKED.get(name, {})
+        (one, numbers), (two, _) = (run(program, name, threads, lambda out: (hash_files(out), read_numbers(out, files))) for threads in (1, 2))
+        yield from find_differences(name, stored.get(name, {}), numbers)
         for file in sorted(one.keys() | two.keys()):
             if one.get(file) != two.get(file):
                 yield f"{name}: {file} differs between one thread and two"

@@ -12,8 +12,8 @@ import tempfile
 from .runs import Runner
 
 
-def parse_options(doc, count, written):
-    """`doc`: of the tool; `count`: cases unless told; `written`: what --write writes, in words."""
+def parse_options(doc, count, written, short=""):
+    """`doc`: of the tool; `count`: cases unless told; `written`, `short`: what --write and --short do, in words."""
     parser = argparse.ArgumentParser(description=doc, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program")
     parser.add_argument("--count", type=int, default=count)
@@ -22,6 +22,8 @@ def parse_options(doc, count, written):
     parser.add_argument("--keep", action="store_true", help="take results that are in --out as they are")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--write", action="store_true", help=f"write {written}")
+    if short:
+        parser.add_argument("--short", action="store_true", help=short)
     return parser.parse_args()
 
 
