@@ -283,6 +283,10 @@ def test_slices_and_elements_alone_have_a_factor_and_surfaces(slope, tmp_path):
 
     case = slope(analysis__methods=["lem", "fem"], analysis__kind="strength_reduction")
     case.lem.methods = ["bishop", "spencer"]
+    case.lem.entry_exit = dict(exits=8, entries=8, depths=7)
+    case.lem.referee = False
+    case.fem.meshes = 1
+    case.fem.resolution = 0.05
     case.output.length_unit = "cm"
     results = talus.run(case, tmp_path / "run")
     listed = {row.surface: row.factor for row in reversed(results.methods)}  # of a surface the first row
