@@ -40,7 +40,7 @@ struct Traits {
       false;  ///< stiffness depends on stress and state, so the critical time step must be updated often
   bool stores_always = false;  ///< state changes in elastic steps too
   bool softens = false;        ///< softens with plastic volumetric strain, averaged over mesh.softening_length
-  bool is_opaque = false;      ///< no analytical tangent: tangents are finite differences
+  bool is_opaque = false;      ///< called point by point; tangents by finite differences or update_point()
   RootEffect roots = RootEffect::none;
   /// Laws of one family share this number of leading state variables, which are kept when one law replaces the other.
   const char* family = "";
