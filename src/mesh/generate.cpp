@@ -83,14 +83,19 @@ int count_digits(double size) {
   return 9 - static_cast<int>(std::floor(std::log10(size)));
 }
 
+/// Returns the decimals to which the coordinates of a plan are rounded; the geometry kernel merges points within 1e-7
+/// m.
+int count_digits(const Plan& plan) {
+  return std::max(7, count_digits(std::max(plan.box_max[0] - plan.box_min[0], plan.box_max[1] - plan.box_min[1])));
+}
+
 /// Returns the plan with the lower left corner of its box at the origin and rounded coordinates: the same section then
 /// has the same mesh at any position and in any unit of length. Without rounding, differences of map coordinates, or
 /// feet, differ in the last digits, and Gmsh makes another mesh.
 Plan make_local(const Plan& given) {
   Plan plan = given;
   const Point2 origin = given.box_min;
-  // The geometry kernel merges points within 1e-7 m.
-  const int digits = std::max(7, count_digits(std::max(given.box_max[0] - origin[0], given.box_max[1] - origin[1])));
+  const int digits = count_digits(given);
   const auto shift = [&](Point2& x) {
     x = {round_decimal(x[0] - origin[0], digits), round_decimal(x[1] - origin[1], digits)};
   };
@@ -125,6 +130,53 @@ Plan put_in_order(Plan plan) {
   return plan;
 }
 
+/// Returns the mirror image of a local plan about the middle of its box; the sides of the box keep their names.
+Plan reflect(Plan plan) {
+  const int digits = count_digits(plan);
+  const auto turn = [&](Polyline& points) {
+    for (Point2& x : points) x[0] = round_decimal(plan.box_max[0] - x[0], digits);
+  };
+  for (Polygon& p : plan.polygons) turn(p.points);
+  for (Line& l : plan.lines) turn(l.points);
+  for (Refinement& r : plan.refinements) turn(r.near);
+  return plan;
+}
+
+/// Returns the first moment of the soil about the middle of the box, over that of one full half of the box [-]:
+/// positive where the ground rises to the right.
+double measure_lean(const Plan& plan) {
+  const auto [width, height] = plan.box_max;
+  double moment = 0;
+  for (const Polygon& p : plan.polygons) {
+    double own = 0;
+    for (std::size_t i = 0; i < p.points.size(); ++i) {
+      const Point2 &a = p.points[i], &b = p.points[(i + 1) % p.points.size()];
+      own += (a[0] * b[1] - b[0] * a[1]) * ((a[0] + b[0]) / 3 - width / 2) / 2;
+    }
+    moment += compute_area(p.points) < 0 ? -own : own;
+  }
+  return moment / (width * width * height / 8);
+}
+
+/// Returns true if the mirror image of a local plan is meshed in its place, since Gmsh does not mirror its meshes: the
+/// ground falls to the right in what is meshed. The coordinates decide where neither side has more soil.
+bool is_reflected(const Plan& plan) {
+  constexpr double least_lean = 1e-9;
+  const double lean = measure_lean(plan);
+  if (std::abs(lean) > least_lean) return lean > 0;
+  const Plan here = put_in_order(plan), there = put_in_order(reflect(plan));
+  const auto compare = [](const auto& a, const auto& b, const auto& get_points) {
+    for (std::size_t i = 0; i < a.size(); ++i)
+      if (get_points(a[i]) != get_points(b[i])) return get_points(a[i]) < get_points(b[i]) ? -1 : 1;
+    return 0;
+  };
+  const auto get_points = [](const auto& item) -> const Polyline& { return item.points; };
+  int order = compare(here.polygons, there.polygons, get_points);
+  if (order == 0) order = compare(here.lines, there.lines, get_points);
+  if (order == 0) order = compare(here.refinements, there.refinements, [](const Refinement& r) { return r.near; });
+  return order > 0;
+}
+
 /// Returns a function of the module of Gmsh by its name. The library is loaded once in the process, and the children
 /// have it.
 template <class Function>
@@ -144,17 +196,29 @@ using MeshPlan = void(const Plan&, const Naming&, Mesh<D>&, std::vector<Freedom<
 template <int D>
 using ReadMesh = void(const std::string&, Mesh<D>&);
 
+/// Meshes the plan, or its mirror image, whose mesh is mirrored and numbered; `reflected` says which.
 template <int D>
-Mesh<D> mesh_plan(MeshPlan<D>& mesh_by_gmsh, const Plan& checked) {
+Mesh<D> mesh_plan(MeshPlan<D>& mesh_by_gmsh, const Plan& checked, bool& reflected) {
   const Plan plan = make_local(checked);
+  reflected = is_reflected(plan);
+  const Plan meshed = reflected ? reflect(plan) : plan;
+  const auto turn = [&](std::array<double, 3> x) {
+    if (reflected) x[0] = plan.box_max[0] - x[0];
+    return x;
+  };
   Naming naming;
-  naming.region = [&](int, const std::array<double, 3>& x) { return find_region(plan, {x[0], x[1]}); };
-  naming.sides = [&](int, const std::array<double, 3>& x) { return find_sides<D>(plan, x); };
+  naming.region = [&](int, const std::array<double, 3>& x) { return find_region(meshed, {x[0], x[1]}); };
+  naming.sides = [&](int, const std::array<double, 3>& x) { return find_sides<D>(plan, turn(x)); };
   Mesh<D> mesh;
   std::vector<Freedom<D>> freedoms;
-  mesh_by_gmsh(put_in_order(plan), naming, mesh, freedoms);
+  mesh_by_gmsh(put_in_order(meshed), naming, mesh, freedoms);
   for (const Polygon& p : plan.polygons) mesh.region_names.push_back(p.name);
-  raise_altitudes<D>(mesh, freedoms, [&](const auto& x) { return compute_size(plan, {x[0], x[1]}); });
+  raise_altitudes<D>(mesh, freedoms, [&](const auto& x) { return compute_size(meshed, {x[0], x[1]}); });
+  if (reflected) {
+    // The numbers are those of the mesh that Gmsh made, so that sums over nodes and elements run in the same order.
+    finish(mesh);
+    for (auto& x : mesh.nodes) x[0] = plan.box_max[0] - x[0];
+  }
   for (auto& x : mesh.nodes)
     for (std::size_t d = 0; d < 2; ++d) x[d] += checked.box_min[d];
   put_in_place(mesh, checked);
@@ -177,7 +241,7 @@ void write_mesh(const Mesh<D>& mesh, Message& message) {
 
 /// Reads the output of write_mesh(). The output of the child process is validated; finish() checks the node numbers.
 template <int D>
-Mesh<D> read_mesh(Message message) {
+Mesh<D> read_mesh(Message& message) {
   Mesh<D> mesh;
   mesh.nodes = message.get_list<typename Mesh<D>::Point>();
   mesh.elements = message.get_list<typename Mesh<D>::Element>();
@@ -232,13 +296,15 @@ Mesh<D> generate(const Plan& plan) {
   try {
     message = do_in_child("the mesh was made", [&](Message& answer) {
       Mesh<D> mesh;
+      bool is_numbered = false;
       if (is_made) {
-        mesh = mesh_plan<D>(mesh_by_gmsh, checked);
+        mesh = mesh_plan<D>(mesh_by_gmsh, checked, is_numbered);
       } else {
         limit_reading(plan.file);
         read_by_gmsh(plan.file, mesh);
       }
       write_mesh(mesh, answer);
+      answer.put(is_numbered);
     });
   } catch (const ChildCrash& crash) {
     fail_input(is_made ? fmt::format("Gmsh cannot mesh the plan: {}; look for corners, edges or lines that nearly "
@@ -246,8 +312,8 @@ Mesh<D> generate(const Plan& plan) {
                                      crash.what())
                        : fmt::format("mesh file '{}' cannot be read by Gmsh: {}", plan.file, crash.what()));
   }
-  Mesh<D> mesh = read_mesh<D>(std::move(message));
-  finish(mesh);
+  Mesh<D> mesh = read_mesh<D>(message);
+  finish(mesh, message.get<bool>() ? Order::as_given : Order::space_filling);
   if (is_made) check_whole(mesh, plan);
   return mesh;
 }

@@ -14,7 +14,8 @@ namespace talus::mesh {
 ///
 /// The number of triangles of a plan is that of equilateral ones of edge `size`, within a few per cent. Nodes around
 /// flat elements are then moved within their curve, surface or volume, because the smallest altitude limits the time
-/// step. An external mesh is not changed. The same plan gives a bitwise identical mesh.
+/// step. An external mesh is not changed. The same plan gives a bitwise identical mesh, and its
+/// mirror image the mirrored mesh with the same numbers of nodes and elements.
 ///
 /// Throws Error (wrong_input) with one sentence if a polygon intersects itself or the box, two polygons overlap, a file
 /// cannot be read or has no elements of this dimension, or Gmsh fails or crashes; throws Error (interrupted) within a

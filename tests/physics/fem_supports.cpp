@@ -6,7 +6,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "base/extrapolate.hpp"
 #include "lem/search/search.hpp"
@@ -222,6 +224,80 @@ TEST(ElementSupports, NailedWedgeHasItsClosedForm) {
   EXPECT_NEAR(thick, expected, 0.008 * expected);
   EXPECT_NEAR(thin, expected, 0.004 * expected);
   EXPECT_NEAR(2 * thin - thick, expected, 0.003 * expected) << thick << " " << thin;
+}
+
+/// A nailed cut, or one with a wall, with layers and a water table. `way`: x of a place that is drawn at x.
+std::string write_drawn(bool has_wall, const std::function<double(double)>& way) {
+  const auto place = [&](double x, double y) { return fmt::format("[{}, {}]", way(x), y); };
+  const auto list = [&](std::vector<std::string> places) {
+    if (way(1) < way(0)) std::reverse(places.begin(), places.end());
+    return fmt::format("[{}]", fmt::join(places, ", "));
+  };
+  const std::string nails = fmt::format(R"(
+[support.nails]
+kind = "nail"
+heads = [{}, {}]
+ends = [{}, {}]
+out_of_plane_spacing = 1.5
+tensile_strength = 150
+plate = 70
+bond = 25
+axial_stiffness = 4e4
+)",
+                                        place(18.906666667, 10.2), place(17.806666667, 7.2),
+                                        place(24.775552271, 8.952529855), place(23.675552271, 5.952529855)),
+                    wall = fmt::format(R"(
+[support.sheet]
+kind = "wall"
+line = [{}, {}]
+interface_strength = 0.67
+axial_stiffness = 2e6
+bending_stiffness = 5e4
+)",
+                                       place(17, 5), place(17, 2));
+  const auto lower = list({place(0, 0), place(40, 0), place(40, 5), place(17, 5), place(0, 5)}),
+             upper = list({place(17, 5), place(40, 5), place(40, 11), place(19.2, 11)}),
+             table = list({place(0, 3.2), place(15, 4.2), place(40, 6.4)});
+  const auto soil = [](const char* name, double cohesion, double angle) {
+    return fmt::format(
+        "[materials.{}]\nmodel = \"mohr_coulomb\"\nunit_weight = 19\ncohesion = {}\nfriction_angle = {}\n"
+        "dilatancy_angle = {}\ntensile_strength = 5\nyoung_modulus = 50\npoisson_ratio = 0.3\n",
+        name, cohesion, angle, angle);
+  };
+  return fmt::format(R"(
+title = "Cut"
+[[geometry.polygon]]
+name = "lower"
+points = {}
+[[geometry.polygon]]
+name = "upper"
+points = {}
+[regions]
+lower = "till"
+upper = "silt"
+{}{}[initial]
+pore_pressure = "water_table"
+water_table = {}
+[analysis]
+methods = ["fem"]
+[fem]
+size = 2
+{})",
+                     lower, upper, soil("till", 12, 32), soil("silt", 5, 28), table, has_wall ? wall : nails);
+}
+
+/// The mesh of a mirror image is the mirrored mesh.
+TEST(ElementSupports, MirrorImageHasTheSameFactor) {
+  for (const bool has_wall : {false, true}) {
+    const auto find = [&](const std::function<double(double)>& way) {
+      return reduce(read_site(write_drawn(has_wall, way)), 1, 1, 1.5).found;
+    };
+    const auto here = find([](double x) { return x; }), there = find([](double x) { return 40 - x; });
+    EXPECT_EQ(there.factor, here.factor);
+    EXPECT_NEAR(there.elastic_displacement, here.elastic_displacement, 1e-9 * here.elastic_displacement);
+    EXPECT_NEAR(there.trials.front().displacement, here.trials.front().displacement,
+                1e-5 * here.trials.front().displacement);
+  }
 }
 
 TEST(ElementSupports, PlateOfTorgglerHasItsPublishedFactor) {

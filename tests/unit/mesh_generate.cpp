@@ -210,6 +210,57 @@ TEST(Generate, TheMeshDependsNeitherOnTheDatumNorOnTheOrderOfThePolygons) {
   for (int region = 0; region < 3; ++region) EXPECT_NEAR(sum_region(other, 2 - region), sum_region(here, region), 1e-9);
 }
 
+/// Returns the mirror image of a plan about x = sum/2.
+Plan reflect(Plan plan, double sum) {
+  const auto turn = [&](Polyline& points) {
+    for (Point2& x : points) x[0] = sum - x[0];
+  };
+  for (Polygon& p : plan.polygons) turn(p.points);
+  for (Line& l : plan.lines) turn(l.points);
+  for (Refinement& r : plan.refinements) turn(r.near);
+  const double left = sum - plan.box_max[0];
+  plan.box_max[0] = sum - plan.box_min[0];
+  plan.box_min[0] = left;
+  return plan;
+}
+
+/// The mesh of a mirror image is the mirrored mesh, with the same numbers: on a slope, and on level ground where only a
+/// lens, a line or a refinement has a side.
+TEST(Generate, MirroredSectionsHaveMirroredMeshes) {
+  Plan slope;
+  slope.box_max = {99.913, 15.1};
+  slope.size = 2.6;
+  slope.polygons = {{"lower", {{0, 0}, {99.913, 0}, {99.913, 8.121}, {38.004143, 4.019685}, {24.156, 0.7}, {0, 0.7}}},
+                    {"upper", {{99.913, 8.121}, {99.913, 13.42}, {70.389, 13.42}, {38.004143, 4.019685}}}};
+  slope.lines = {{"drain", {{20.3, 0}, {30.7, 0}}}};
+  Plan level;
+  level.box_max = {40, 10};
+  level.size = 1.7;
+  level.polygons = {{"soil", {{0, 0}, {40, 0}, {40, 10}, {0, 10}}}};
+  Plan with_lens = level, with_line = level, refined = level;
+  with_lens.polygons.push_back({"lens", {{6.1, 4.3}, {12.7, 4.7}, {9.3, 6.9}}});
+  with_line.lines = {{"wall", {{13.3, 10}, {13.3, 4.1}}}};
+  refined.refinements = {{{{27.3, 10}}, 0.6, 6}};
+  for (const Plan& plan : {slope, with_lens, with_line, refined})
+    for (const double sum : {plan.box_max[0], 0.0}) {
+      const Mesh<2> here = generate<2>(plan), there = generate<2>(reflect(plan, sum));
+      ASSERT_EQ(there.nodes.size(), here.nodes.size());
+      ASSERT_EQ(there.elements.size(), here.elements.size());
+      for (std::size_t i = 0; i < here.nodes.size(); ++i) {
+        EXPECT_NEAR(sum - there.nodes[i][0], here.nodes[i][0], 1e-9);
+        EXPECT_NEAR(there.nodes[i][1], here.nodes[i][1], 1e-9);
+      }
+      for (std::size_t e = 0; e < here.elements.size(); ++e) {
+        const auto [a, b, c] = here.elements[e];
+        EXPECT_EQ(there.elements[e], (std::array{a, c, b}));
+      }
+      EXPECT_EQ(there.element_region, here.element_region);
+      EXPECT_EQ(there.sides.at("left"), here.sides.at("right"));
+      EXPECT_EQ(there.sides.at("right"), here.sides.at("left"));
+      EXPECT_EQ(there.sides.at("top"), here.sides.at("top"));
+    }
+}
+
 TEST(Generate, ExtrudesSoilAndWallsIntoTetrahedra) {
   Plan plan = plan_slope(2);
   plan.dimension = 3;
