@@ -10,6 +10,8 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <numeric>
+#include <set>
 
 #include "base/error.hpp"
 #include "mesh/locate.hpp"
@@ -63,12 +65,27 @@ double compute_plate(double square) {
   return square > 0 ? 0.5 * square * std::log(square) : 0;
 }
 
-/// The vertices of the Voronoi diagram are the circumcentres of the Delaunay triangles; one with more than three cells
-/// belongs to a polygon, which is cut into a fan.
-std::vector<Mesh<2>::Element> triangulate(const std::vector<Point>& nodes, const Point& middle, double extent) {
+double dot(const Point& at, const Point& a, const Point& b) {
+  return (a[0] - at[0]) * (b[0] - at[0]) + (a[1] - at[1]) * (b[1] - at[1]);
+}
+
+/// Returns true if c and d, on either side of the edge from a to b, lie on one circle with it: their angles over the
+/// edge then sum to π. `rounding`: uncertainty of each coordinate [m].
+bool are_on_circle(const Point& a, const Point& b, const Point& c, const Point& d, double rounding) {
+  const double lengths[4] = {std::sqrt(measure_square(c, a)), std::sqrt(measure_square(c, b)),
+                             std::sqrt(measure_square(d, a)), std::sqrt(measure_square(d, b))};
+  const double sine = std::abs(cross(c, a, b)) * dot(d, a, b) + dot(c, a, b) * std::abs(cross(d, a, b));
+  // Each of the four directions turns by the rounding of its two points over its length.
+  const double tolerance = 8 * rounding / *std::min_element(lengths, lengths + 4);
+  return std::abs(sine) <= tolerance * lengths[0] * lengths[1] * lengths[2] * lengths[3];
+}
+
+using Diagram = bp::voronoi_diagram<double>;
+
+/// Sets the Voronoi diagram of the points, rounded to integers of 1/scale.
+void make_diagram(const std::vector<Point>& nodes, const Point& middle, double scale, Diagram& diagram) {
   std::vector<bp::point_data<std::int32_t>> sites;
   std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> places;
-  const double scale = largest_coordinate / (frame * extent);
   for (const Point& p : nodes) {
     const auto x = static_cast<std::int32_t>(std::lround((p[0] - middle[0]) * scale));
     const auto y = static_cast<std::int32_t>(std::lround((p[1] - middle[1]) * scale));
@@ -78,23 +95,89 @@ std::vector<Mesh<2>::Element> triangulate(const std::vector<Point>& nodes, const
                  p[0], p[1]);
     sites.emplace_back(x, y);
   }
-  bp::voronoi_diagram<double> diagram;
   bp::construct_voronoi(sites.begin(), sites.end(), &diagram);
-  std::vector<Mesh<2>::Element> triangles;
+}
+
+/// Returns the Delaunay polygons of the points, counter-clockwise: triangles, and one polygon of all points that lie on
+/// one empty circle, up to rounding. The vertices of the Voronoi diagram are the circumcentres.
+std::vector<std::vector<int>> make_polygons(const std::vector<Point>& nodes, const Point& middle, double extent) {
+  const double scale = largest_coordinate / (frame * extent);
+  Diagram diagram;
+  make_diagram(nodes, middle, scale, diagram);
+  const auto get_node = [&](const auto* edge) -> const Point& { return nodes[edge->cell()->source_index()]; };
+  std::vector<std::size_t> group(diagram.num_vertices());
+  std::iota(group.begin(), group.end(), std::size_t{0});
+  const auto find_group = [&](const auto* vertex) {
+    auto i = static_cast<std::size_t>(vertex - diagram.vertices().data());
+    while (group[i] != i) i = group[i] = group[group[i]];
+    return i;
+  };
+  for (const auto& edge : diagram.edges()) {
+    if (!edge.is_finite() || &edge > edge.twin()) continue;
+    if (are_on_circle(get_node(&edge), get_node(edge.twin()), get_node(edge.prev()->twin()),
+                      get_node(edge.next()->twin()), 1 / scale))
+      group[find_group(edge.vertex0())] = find_group(edge.vertex1());
+  }
+  std::vector<std::set<int>> members(diagram.num_vertices());
   for (const auto& vertex : diagram.vertices()) {
-    std::vector<int> around;
     const auto* edge = vertex.incident_edge();
     do {
-      around.push_back(static_cast<int>(edge->cell()->source_index()));
+      members[find_group(&vertex)].insert(static_cast<int>(edge->cell()->source_index()));
       edge = edge->rot_next();
     } while (edge != vertex.incident_edge());
-    for (std::size_t i = 2; i < around.size(); ++i) {
-      const Mesh<2>::Element t{around[0], around[i - 1], around[i]};
-      const Point &a = nodes[static_cast<std::size_t>(t[0])], &b = nodes[static_cast<std::size_t>(t[1])],
-                  &c = nodes[static_cast<std::size_t>(t[2])];
-      const double longest = std::max({measure_square(a, b), measure_square(b, c), measure_square(c, a)});
-      if (std::abs(cross(a, b, c)) > flat * longest) triangles.push_back(t);
+  }
+  std::vector<std::vector<int>> polygons;
+  for (const std::set<int>& own : members) {
+    if (own.empty()) continue;
+    Point centre{};
+    for (const int i : own)
+      for (std::size_t d = 0; d < 2; ++d)
+        centre[d] += nodes[static_cast<std::size_t>(i)][d] / static_cast<double>(own.size());
+    std::vector<std::pair<double, int>> around;
+    for (const int i : own) {
+      const Point& p = nodes[static_cast<std::size_t>(i)];
+      around.emplace_back(std::atan2(p[1] - centre[1], p[0] - centre[0]), i);
     }
+    std::sort(around.begin(), around.end());
+    polygons.emplace_back();
+    for (const auto& [angle, i] : around) polygons.back().push_back(i);
+  }
+  return polygons;
+}
+
+/// Returns the triangles of the points. Where more than three lie on one circle, as in a regular grid, no diagonal is
+/// the right one: their mean becomes a node, so that the field of a mirrored or turned grid is mirrored or turned.
+std::vector<Mesh<2>::Element> triangulate(std::vector<Point>& nodes, std::vector<double>& values, const Point& middle,
+                                          double extent) {
+  std::vector<Mesh<2>::Element> triangles;
+  const auto add = [&](const Mesh<2>::Element& t) {
+    const Point &a = nodes[static_cast<std::size_t>(t[0])], &b = nodes[static_cast<std::size_t>(t[1])],
+                &c = nodes[static_cast<std::size_t>(t[2])];
+    const double longest = std::max({measure_square(a, b), measure_square(b, c), measure_square(c, a)});
+    if (!(std::abs(cross(a, b, c)) > flat * longest)) return;
+    triangles.push_back(t);
+    // From the leftmost corner, so that interpolation has one rounding whatever the order of the points.
+    std::sort(triangles.back().begin(), triangles.back().end(),
+              [&](int i, int j) { return nodes[static_cast<std::size_t>(i)] < nodes[static_cast<std::size_t>(j)]; });
+  };
+  for (const std::vector<int>& polygon : make_polygons(nodes, middle, extent)) {
+    if (polygon.size() == 3) {
+      add({polygon[0], polygon[1], polygon[2]});
+      continue;
+    }
+    const auto average = [&](auto&& get) {
+      std::vector<double> numbers;
+      for (const int i : polygon) numbers.push_back(get(static_cast<std::size_t>(i)));
+      std::sort(numbers.begin(), numbers.end());
+      return std::accumulate(numbers.begin(), numbers.end(), 0.0) / static_cast<double>(numbers.size());
+    };
+    const Point centre{average([&](std::size_t i) { return nodes[i][0]; }),
+                       average([&](std::size_t i) { return nodes[i][1]; })};
+    const double mean = average([&](std::size_t i) { return values[i]; });
+    const int own = static_cast<int>(nodes.size());
+    nodes.push_back(centre);
+    values.push_back(mean);
+    for (std::size_t i = 0; i < polygon.size(); ++i) add({own, polygon[i], polygon[(i + 1) % polygon.size()]});
   }
   return triangles;
 }
@@ -127,7 +210,7 @@ ScatteredField::ScatteredField(const std::vector<ScatteredValue>& values, Scatte
     mesh_.nodes.push_back(at);
     values_.push_back(values_[static_cast<std::size_t>(nearest - points.begin())]);
   }
-  mesh_.elements = triangulate(mesh_.nodes, middle, extent);
+  mesh_.elements = triangulate(mesh_.nodes, values_, middle, extent);
   mesh_.element_region.assign(mesh_.elements.size(), 0);
   mesh_.region_names = {"points"};
   finish(mesh_, Order::as_given);

@@ -17,7 +17,8 @@ struct ScatteredValue {
   double value = 0;
 };
 
-/// Interpolates scattered values: linearly on the Delaunay triangles of the points, or by the thin plate spline
+/// Interpolates scattered values: linearly on the Delaunay triangles of the points (about their mean where more than
+/// three lie on one circle, as in each cell of a regular grid), or by the thin plate spline
 /// f = a + b x + c y + Σ w_i r_i² ln r_i with Σ w_i = Σ w_i x_i = Σ w_i y_i = 0 (Duchon 1977). Both reproduce linear
 /// functions. Immutable.
 class ScatteredField {
@@ -37,7 +38,8 @@ class ScatteredField {
   bool covers(const std::array<double, 2>& x) const;
 
   Scatter kind() const { return kind_; }
-  /// Returns the triangles of the points and of the frame, and the values at their nodes.
+  /// Returns the triangles of the points and of the frame, and the values at their nodes. The nodes are the points, the
+  /// corners of the frame, and the mean of each set of more than three points on one circle.
   const Mesh<2>& triangles() const { return mesh_; }
   const std::vector<double>& values() const { return values_; }
 

@@ -267,24 +267,28 @@ template double find_pressure_ratio<3>(const input::Case&, const input::Material
 
 namespace {
 
-/// Triangles on which a spline is sampled for LEM, over the section.
-constexpr int spline_columns = 200, spline_rows = 80;
+/// Cells at whose corners and centres a spline is sampled for LEM, over the section.
+constexpr int spline_columns = 140, spline_rows = 56;
 
 lem::PressureGrid sample_spline(const mesh::ScatteredField& field, const Polyline& ground, double base) {
   double high = base;
   for (const Point& p : ground) high = std::max(high, p[1]);
   const double left = ground.front()[0], right = ground.back()[0];
   lem::PressureGrid grid;
+  const auto add = [&](double column, double row) {
+    grid.nodes.push_back({left + (right - left) * column / spline_columns, base + (high - base) * row / spline_rows});
+    grid.pressure.push_back(field.find(grid.nodes.back()));
+  };
   for (int c = 0; c <= spline_columns; ++c)
-    for (int r = 0; r <= spline_rows; ++r) {
-      grid.nodes.push_back({left + (right - left) * c / spline_columns, base + (high - base) * r / spline_rows});
-      grid.pressure.push_back(field.find(grid.nodes.back()));
-    }
+    for (int r = 0; r <= spline_rows; ++r) add(c, r);
   for (int c = 0; c < spline_columns; ++c)
     for (int r = 0; r < spline_rows; ++r) {
-      const int a = c * (spline_rows + 1) + r, b = a + spline_rows + 1;
-      grid.triangles.push_back({a, b, b + 1});
-      grid.triangles.push_back({a, b + 1, a + 1});
+      const int a = c * (spline_rows + 1) + r, b = a + spline_rows + 1, centre = static_cast<int>(grid.nodes.size());
+      add(c + 0.5, r + 0.5);
+      grid.triangles.push_back({a, b, centre});
+      grid.triangles.push_back({b, b + 1, centre});
+      grid.triangles.push_back({b + 1, a + 1, centre});
+      grid.triangles.push_back({a + 1, a, centre});
     }
   return grid;
 }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 #include "base/error.hpp"
 #include "support/draw.hpp"
@@ -63,13 +64,42 @@ TEST(ScatteredField, SplineIsSmootherThanTriangles) {
 }
 
 TEST(ScatteredField, TakesRegularGrids) {
-  // Four points on one circle: the diagonal of each square is free, the value in a plane is not.
+  // Four points on one circle.
   std::vector<ScatteredValue> values;
   for (int i = 0; i <= 20; ++i)
     for (int j = 0; j <= 10; ++j) values.push_back({{2.0 * i, 1.0 * j}, plane({2.0 * i, 1.0 * j})});
   const ScatteredField field(values, Scatter::linear);
   EXPECT_NEAR(field.find({7.3, 4.6}), plane({7.3, 4.6}), 1e-9);
   EXPECT_NEAR(field.find({0, 0}), plane({0, 0}), 1e-9);
+}
+
+/// The field of a mirrored, moved or turned grid is mirrored, moved or turned: no diagonal of a cell is preferred.
+TEST(ScatteredField, OfAMirroredGridIsMirrored) {
+  const auto bent = [](const std::array<double, 2>& x) { return std::max(-5.0, 49 + 0.6 * x[0] - 9.8 * x[1]); };
+  const std::vector<std::function<std::array<double, 2>(const std::array<double, 2>&)>> ways{
+      [](const auto& x) {
+        return std::array{40.3 - x[0], x[1]};
+      },
+      [](const auto& x) {
+        return std::array{x[0] + 441871.3, x[1] + 2500.7};
+      },
+      [](const auto& x) {
+        return std::array{-x[1], x[0]};
+      }};
+  std::vector<ScatteredValue> values;
+  for (int i = 0; i <= 8; ++i)
+    for (int j = 0; j <= 5; ++j) values.push_back({{4.9 * i, 2.1 * j}, bent({4.9 * i, 2.1 * j})});
+  const ScatteredField field(values, Scatter::linear);
+  for (const auto& way : ways) {
+    std::vector<ScatteredValue> others = values;
+    for (ScatteredValue& v : others) v.at = way(v.at);
+    const ScatteredField other(others, Scatter::linear);
+    support::Draw draw(11);
+    for (int i = 0; i < 500; ++i) {
+      const std::array<double, 2> x{draw(-10, 50), draw(-3, 14)};
+      EXPECT_NEAR(other.find(way(x)), field.find(x), 1e-6) << x[0] << ' ' << x[1];
+    }
+  }
 }
 
 TEST(ScatteredField, KeepsTheNearestValueFarAway) {
