@@ -239,6 +239,45 @@ TEST(LemInvariance, SearchMovedAndMirrored) {
   }
 }
 
+/// Drawn to the other side, at either place: the search amplifies rounding, where it has many variables and the factor
+/// has kinks, so that a section and its mirror image must be searched as one.
+TEST(LemInvariance, SearchOfPolylinesMirrored) {
+  Section section = make_section({{0, 5}, {17, 5}, {19.2, 11}, {40, 11}}, make_soil(12, 32, 20), 0);
+  section.soils.push_back(make_soil(5, 28, 19));
+  section.regions.push_back({1, {{17, 5}, {40, 5}, {40, 11}, {19.2, 11}}});
+  section.water_table = {{0, 3.2}, {15, 4.8}, {40, 7.38}};
+  section.surcharges = {{{{22, 10}, {28, 10}}}};
+  Bar nail;
+  nail.head = {18.356666667, 8.7}, nail.end = {24.225552271, 7.452529855};
+  nail.tensile = 100, nail.plate = 46.7, nail.bond = 16.7;
+  section.bars = {nail};
+  const auto mirror = [&](double sum) {
+    Section mirrored = section;
+    change_points(mirrored, [&](const Point& p) { return Point{sum - p[0], p[1]}; });
+    mirrored.surcharges = {{{{sum - 28, 10}, {sum - 22, 10}}}};
+    for (Bar& bar : mirrored.bars) bar.head[0] = sum - bar.head[0], bar.end[0] = sum - bar.end[0];
+    return mirrored;
+  };
+  SearchOptions options;
+  options.methods = {Method::spencer};
+  options.slices = 20;
+  options.vertices = 8;
+  options.entry_exit = EntryExitSearch{};
+  options.entry_exit->exits = options.entry_exit->entries = 8;
+  options.entry_exit->depths = 5;
+  const SearchResult here = search(Slope(Section(section)), options);
+  ASSERT_EQ(here.noncircular.size(), 1);
+  for (const double sum : {40.0, 0.0}) {
+    const SearchResult there = search(Slope(mirror(sum)), options);
+    ASSERT_EQ(there.noncircular.size(), 1);
+    EXPECT_NEAR(there.circular[0].solution.factor, here.circular[0].solution.factor, 1e-9);
+    EXPECT_NEAR(there.noncircular[0].solution.factor, here.noncircular[0].solution.factor, 1e-9);
+    EXPECT_NEAR(sum - there.noncircular[0].surface.line.back()[0], here.noncircular[0].surface.line.front()[0], 1e-9);
+    ASSERT_EQ(there.trials.size(), here.trials.size());
+    EXPECT_NEAR(sum - there.trials.back().surface.to, here.trials.back().surface.from, 1e-9);
+  }
+}
+
 TEST(LemInvariance, SplitAndRepeatedRegionsChangeNothing) {
   Section section = make_full_section();
   // The same soil once more over a part of it, the other way round, and a polygon cut in two.

@@ -13,6 +13,7 @@
 #include "base/progress.hpp"
 #include "lem/search/block_search.hpp"
 #include "lem/search/optimise.hpp"
+#include "lem/search/reflection.hpp"
 #include "lem/search/search_findings.hpp"
 #include "lem/search/trial_circles.hpp"
 
@@ -169,6 +170,46 @@ SearchOptions settle(const Slope& slope, const SearchOptions& asked) {
       reasons);
 }
 
+/// Surfaces of a search, without their slices and messages.
+struct FoundSurfaces {
+  TrialCircles circles;
+  std::vector<int> best_trials;                       ///< by method
+  std::vector<std::vector<OptimisedSurface>> minima;  ///< circles by method, the best first
+  std::vector<OptimisedSurface> polylines;            ///< by method; empty if none are searched
+};
+
+/// Also sets the trials, their numbers and the ranges of `result`.
+FoundSurfaces find_surfaces(const Slope& slope, const SearchOptions& options, SearchResult& result) {
+  FoundSurfaces found;
+  const Arcs arcs(slope, options.checks.smallest_depth, options.composite, options.tangent);
+  if (options.kind == SearchKind::grid) {
+    found.circles = make_grid_circles(slope, options, result.grid.emplace());
+  } else {
+    found.circles = make_entry_exit_circles(slope, arcs, options, result.entry_exit.emplace());
+  }
+  solve_trials(slope, options, found.circles, result);
+  found.minima = find_minima(slope, options, arcs, found.circles, result, found.best_trials);
+  if (std::all_of(found.minima.begin(), found.minima.end(), [](auto& m) { return m.empty(); }))
+    fail_without_surface(options, result);
+  if (options.optimise_surface && !options.tangent)
+    found.polylines = find_polylines(slope, options, found.circles, result, found.minima);
+  return found;
+}
+
+/// The same in the mirror image of the section, with its results reflected.
+FoundSurfaces find_reflected_surfaces(const Slope& slope, const SearchOptions& options, SearchResult& result) {
+  const Reflection mirror(slope.section());
+  FoundSurfaces found = find_surfaces(Slope(mirror.reflect(slope.section())), mirror.reflect(options), result);
+  found.circles = mirror.reflect(std::move(found.circles));
+  const auto turn = [&](OptimisedSurface& s) { s.surface = mirror.reflect(std::move(s.surface)); };
+  for (auto& minima : found.minima) std::for_each(minima.begin(), minima.end(), turn);
+  std::for_each(found.polylines.begin(), found.polylines.end(), turn);
+  for (std::size_t i = 0; i < result.trials.size(); ++i) result.trials[i].surface = found.circles.surfaces[i];
+  if (result.grid) result.grid = mirror.reflect(*result.grid);
+  if (result.entry_exit) result.entry_exit = mirror.reflect(*result.entry_exit);
+  return found;
+}
+
 SearchResult search_settled(const Slope& slope, const SearchOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   SearchResult result;
@@ -179,18 +220,9 @@ SearchResult search_settled(const Slope& slope, const SearchOptions& options) {
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return result;
   }
-  const Arcs arcs(slope, options.checks.smallest_depth, options.composite, options.tangent);
-  TrialCircles circles;
-  if (options.kind == SearchKind::grid) {
-    circles = make_grid_circles(slope, options, result.grid.emplace());
-  } else {
-    circles = make_entry_exit_circles(slope, arcs, options, result.entry_exit.emplace());
-  }
-  solve_trials(slope, options, circles, result);
-  std::vector<int> best_trials;
-  const auto minima = find_minima(slope, options, arcs, circles, result, best_trials);
-  if (std::all_of(minima.begin(), minima.end(), [](auto& m) { return m.empty(); }))
-    fail_without_surface(options, result);
+  const auto [circles, best_trials, minima, polylines] = is_searched_reflected(slope.section())
+                                                             ? find_reflected_surfaces(slope, options, result)
+                                                             : find_surfaces(slope, options, result);
   result.minima.resize(options.methods.size());
   for (std::size_t m = 0; m < options.methods.size(); ++m) {
     const Method method = options.methods[m];
@@ -206,16 +238,14 @@ SearchResult search_settled(const Slope& slope, const SearchOptions& options) {
     result.limit_hits.insert(result.limit_hits.end(), hits.begin(), hits.end());
     result.circular.push_back(critical);
   }
-  if (options.optimise_surface && !options.tangent) {
-    const std::vector<OptimisedSurface> found = find_polylines(slope, options, circles, result, minima);
-    for (std::size_t m = 0; m < found.size(); ++m) {
-      if (found[m].surface.line.empty()) continue;
-      Critical critical = make_critical(slope, options, found[m].surface, options.methods[m]);
-      const auto hits = find_limit_hits(slope, options, result, circles, critical, -1);
-      result.limit_hits.insert(result.limit_hits.end(), hits.begin(), hits.end());
-      result.noncircular.push_back(std::move(critical));
-    }
+  for (std::size_t m = 0; m < polylines.size(); ++m) {
+    if (polylines[m].surface.line.empty()) continue;
+    Critical critical = make_critical(slope, options, polylines[m].surface, options.methods[m]);
+    const auto hits = find_limit_hits(slope, options, result, circles, critical, -1);
+    result.limit_hits.insert(result.limit_hits.end(), hits.begin(), hits.end());
+    result.noncircular.push_back(std::move(critical));
   }
+  const Arcs arcs(slope, options.checks.smallest_depth, options.composite, options.tangent);
   search_cracked_circles(slope, options, arcs, circles, result);
   warn_of_lost_circles(slope, options, result);
   for (std::size_t m = 0; m < options.methods.size(); ++m) {
