@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/extrapolate.hpp"
 #include "results/governing.hpp"
 
 namespace talus::results {
@@ -123,6 +124,16 @@ ResultInterval find_interval(const RunResult& run, const std::string& name) {
     return make_points_interval(*run.factor_of_safety);
   if (name.starts_with(criterion)) return make_criterion_interval(*run.factor_of_safety, name.substr(criterion.size()));
   return {};
+}
+
+std::optional<FarExtrapolation> find_far_extrapolation(const RunResult& run) {
+  if (find_owner(run) != Owner::elements) return std::nullopt;
+  const ElementRun& elements = *find_governing_elements(run);
+  if (!elements.meshes || elements.meshes->empty() || !elements.interval) return std::nullopt;
+  const ElementMeshFactor& fine = elements.meshes->back();
+  const double fraction = 1 - elements.factor / fine.factor;
+  if (!(fraction > most_extrapolated)) return std::nullopt;
+  return FarExtrapolation{fraction, fine.size, elements.interval->lower, elements.interval->upper};
 }
 
 std::string name_main_method(const RunResult& run) {

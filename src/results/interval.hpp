@@ -19,6 +19,16 @@ struct ResultInterval {
 /// also hold for factors of LEM by a search; mesh and search for FEM and MPM. Empty if the run has none.
 ResultInterval find_interval(const RunResult& run, const std::string& name);
 
+/// A factor of FEM extrapolated from two meshes by more than `most_extrapolated`.
+struct FarExtrapolation {
+  double fraction = 0;          ///< of the factor on the finer mesh [-]
+  double size = 0;              ///< of the finer elements [m]
+  double lower = 0, upper = 0;  ///< interval of the factor
+};
+
+/// Returns it if FEM has the main factor: its interval then is the result, not the factor.
+std::optional<FarExtrapolation> find_far_extrapolation(const RunResult& run);
+
 /// Returns the method of the main factor, such as "lem.spencer" or "upper bound"; empty without a factor.
 std::string name_main_method(const RunResult& run);
 

@@ -13,6 +13,7 @@
 #include "base/units.hpp"
 #include "lem/surface/surface.hpp"
 #include "results/governing.hpp"
+#include "results/interval.hpp"
 #include "results/supports.hpp"
 
 namespace talus::run {
@@ -73,6 +74,13 @@ std::string write_main_factor(const results::RunResult& run) {
   const bool is_drawn = by_slices && run.slices->drawdown.has_value();
   const results::ElementRun* elements = results::find_governing_elements(run);
   const bool by_elements = !by_slices && elements != nullptr && elements->factor == factor;
+  if (const auto far = results::find_far_extrapolation(run))
+    return fmt::format(
+        "Factor of safety between {:.3f} and {:.3f} (FEM; {:.3f} is extrapolated by {:.0f} % from elements of {}: "
+        "refine "
+        "[fem] size)\n",
+        results::show_lower(far->lower), results::show_upper(far->upper), *factor, 100 * far->fraction,
+        format_value(far->size, read_units(run).length, 3));
   return fmt::format(
       "Factor of safety {}{:.3f}{} ({})\n", is_drawn ? "after drawdown " : "", *factor,
       by_elements ? write_interval(elements->interval) : "",

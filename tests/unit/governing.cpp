@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "results/interval.hpp"
 #include "results/json.hpp"
 #include "results/named.hpp"
 
@@ -50,6 +51,28 @@ TEST(GoverningSurface, IsTheWeakestByTheMethodsThatSatisfyMostOfTheEquilibrium) 
   run.methods.emplace().optimised = {make_governing_surface(SliceMethod::spencer, 1.15)};
   run.methods->optimised[0].surface.name = "lem.handed[fem.band].spencer_optimised";
   EXPECT_EQ(name_governing(run), "lem.handed[fem.band].spencer_optimised");
+}
+
+/// Two meshes do not show the error of an extrapolation by more than 7 %: the interval then is the result.
+TEST(FarExtrapolation, IsThatOfTheMainFactor) {
+  RunResult run;
+  EXPECT_FALSE(find_far_extrapolation(run));
+  ElementRun& elements = run.elements.emplace().runs.emplace_back();
+  elements.factor = 0.937;
+  EXPECT_FALSE(find_far_extrapolation(run)) << "one mesh";
+  elements.meshes = {{1.753, 1.201, 1.199, 1.203, 1.203}, {0.898, 1.072, 1.070, 1.074, 1.074}};
+  elements.interval = {0.660, 1.075};
+  const auto far = find_far_extrapolation(run);
+  ASSERT_TRUE(far);
+  EXPECT_NEAR(far->fraction, 0.126, 1e-3);
+  EXPECT_EQ(far->size, 0.898);
+  EXPECT_EQ(far->lower, 0.660);
+  EXPECT_EQ(far->upper, 1.075);
+  elements.factor = 1.0;
+  EXPECT_FALSE(find_far_extrapolation(run)) << "by 6.7 %";
+  elements.factor = 0.937;
+  run.slices.emplace().critical = {make_governing_surface(SliceMethod::spencer, 0.9)};
+  EXPECT_FALSE(find_far_extrapolation(run)) << "LEM governs";
 }
 
 TEST(GoverningSurface, IsNeverOneThatLimitAnalysisProvesImpossible) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/extrapolate.hpp"
 #include "report/content/choices.hpp"
 #include "report/content/method_table.hpp"
 #include "report/content/parts.hpp"
@@ -15,6 +16,7 @@
 #include "report/folder/numbers.hpp"
 #include "results/bounds.hpp"
 #include "results/governing.hpp"
+#include "results/interval.hpp"
 #include "results/supports.hpp"
 
 namespace talus::report {
@@ -335,6 +337,17 @@ void format_timeline(const results::RunResult& run, json& sentences) {
     sentences.push_back(std::move(releases));
 }
 
+/// Adds that the interval of FEM is the result, where its factor is extrapolated too far.
+void format_far_extrapolation(const results::RunResult& run, json& sentences) {
+  const auto far = results::find_far_extrapolation(run);
+  if (!far) return;
+  sentences.push_back(
+      fmt::format("The factor of safety lies between {:.3f} and {:.3f}: that of FEM is extrapolated by {:.0f} % from "
+                  "elements of {}, and above {:.0f} % two meshes do not show the error. Refine [fem] size.",
+                  results::show_lower(far->lower), results::show_upper(far->upper), 100 * far->fraction,
+                  format_value(far->size, read_units(run).length, 3), 100 * talus::most_extrapolated));
+}
+
 /// Adds the stages that did not reach their end, and the largest settlement.
 void format_construction(const results::RunResult& run, json& sentences) {
   if (!run.construction) return;
@@ -400,6 +413,7 @@ json make_answer(const ResultFolder& folder) {
   json sentences = json::array(), listed = json::array();
   format_state(run, sentences);
   if (const auto disagreement = results::find_disagreement(run)) sentences.push_back(disagreement->text);
+  format_far_extrapolation(run, sentences);
   format_timeline(run, sentences);
   const bool lone = !asks_for_others(folder);
   if (!lone) format_methods(run, factors, sentences);

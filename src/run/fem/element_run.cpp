@@ -132,9 +132,6 @@ constexpr double coarse_ratio = 2;
 /// the size [-].
 constexpr double least_ratio = 1.25;
 
-/// Extrapolated factor over that of the finer mesh, below which the meshes are too far apart [-].
-constexpr double least_extrapolated = 0.6;
-
 constexpr const char* element_file = "fem.json";
 
 std::vector<results::Flow> list_flows(input::FlowRule rule) {
@@ -334,12 +331,13 @@ void ElementRun<D>::extrapolate(const std::string& words, const fem::ReductionRe
   run.meshes = std::vector<results::ElementMeshFactor>{coarse, fine};
   add_softening_warning(*model, found, run);
   run.factor = std::max(0.0, extrapolate_to_zero(coarse.size, coarse.factor, fine.size, fine.factor));
-  if (run.factor < least_extrapolated * fine.factor)
-    run.warnings.push_back(
-        fmt::format("the factor falls from {:.3f} to {:.3f} between elements of {} and {}, too far for an "
-                    "extrapolation to size zero: refine [fem] size",
-                    coarse.factor, fine.factor, format_value(coarse.size, data().units().length, 3),
-                    format_value(fine.size, data().units().length, 3)));
+  if (const double fraction = 1 - run.factor / fine.factor; fraction > most_extrapolated)
+    run.warnings.push_back(fmt::format(
+        "the factor falls from {:.3f} to {:.3f} between elements of {} and {}, and is extrapolated by {:.0f} "
+        "% to size zero; above {:.0f} % two meshes do not show the error, and the interval is the result: "
+        "refine [fem] size",
+        coarse.factor, fine.factor, format_value(coarse.size, data().units().length, 3),
+        format_value(fine.size, data().units().length, 3), 100 * fraction, 100 * most_extrapolated));
   run.interval = find_mesh_interval(coarse, fine, find_least_error(fine_search, run));
   if (!run.interval)
     run.warnings.push_back(
