@@ -12,7 +12,10 @@ from .random_slopes import draw_slope
 from .rewritten import UNITS, read_case
 
 # method → on every how many-th slope it runs
-EVERY = {"lem": 1, "seepage": 5, "fem": 10, "timeline": 10, "mpm": 10, "bounds": 10}
+EVERY = {"lem": 1, "seepage": 5, "fem": 10, "timeline": 10, "mpm": 10, "bounds": 10, "supports": 20, "walls": 20, "stages": 20}
+# the changes of rewritten.py for what has supports, walls or stages; the other kinds have all
+FEW_CHANGES = ("x + 500 km", "y + 200 m", "mirrored", "renamed")
+FEW = ("supports", "walls", "stages")
 POLYLINES = 20  # the same for critical polylines
 SLICES = 30
 TRIALS = {"exits": 8, "entries": 8, "depths": 6}
@@ -139,7 +142,45 @@ def make_mpm(number):
     return case
 
 
-MAKE = {"lem": make_lem, "seepage": make_seepage, "timeline": make_timeline, "fem": make_fem, "bounds": make_bounds, "mpm": make_mpm}
+def make_supports(number):
+    """Two rows of nails in the face, by LEM with polylines and FEM on one mesh."""
+    case, height = make_fem(number), draw_slope(number)["ground"][2][1]
+    (x1, y1), (x2, y2) = draw_slope(number)["ground"][1:3]
+    places = [round(x1 + t * (x2 - x1), 6) for t in (0.4, 0.7)]
+    heads = [[x, y1 + (y2 - y1) * (x - x1) / (x2 - x1)] for x in places]
+    case["support"] = {"nails": {
+        "kind": "nail", "heads": heads, "ends": [[round(x + 0.8 * height, 6), round(y - 0.2 * height, 6)] for x, y in heads],
+        "out_of_plane_spacing": 1.5, "tensile_strength": "150 kN", "plate": "70 kN", "bond": "25 kN/m", "axial_stiffness": "40000 kN"}}
+    case["analysis"]["methods"] = ["lem", "fem"]
+    case["fem"]["meshes"] = 1
+    case["lem"] = {"methods": ["bishop", "spencer"], "slices": SLICES, "vertices": 8, "entry_exit": TRIALS, "minima": 2,
+                   "smallest_depth": round(0.02 * height, 4)}
+    return case
+
+
+def make_walls(number):
+    """A wall from the face down, by FEM on two meshes."""
+    case, height = make_fem(number), draw_slope(number)["ground"][2][1]
+    (x1, _), (x2, _) = draw_slope(number)["ground"][1:3]
+    case["support"] = {"sheet": {
+        "kind": "wall", "x": [round(x1 + 0.3 * (x2 - x1), 3)], "length": round(0.6 * height, 3), "interface_strength": 0.67,
+        "axial_stiffness": "2e6 kN", "bending_stiffness": 5e4, "plastic_moment": 180}}
+    return case
+
+
+def make_stages(number):
+    """A load on the crest in the second of two drained stages, by FEM on one mesh."""
+    case, height = make_fem(number), draw_slope(number)["ground"][2][1]
+    x = draw_slope(number)["ground"][2][0]
+    case["surcharge"] = [{"name": "fill", "x": [round(x + 0.2 * height, 3), round(x + height, 3)], "load": ["20 kPa", "20 kPa"]}]
+    case["fem"]["meshes"] = 1
+    case["construction"] = [{"name": "before", "drainage": "drained", "duration": 1},
+                            {"name": "after", "drainage": "drained", "duration": 1, "add": ["fill"]}]
+    return case
+
+
+MAKE = {"lem": make_lem, "seepage": make_seepage, "timeline": make_timeline, "fem": make_fem, "bounds": make_bounds, "mpm": make_mpm,
+        "supports": make_supports, "walls": make_walls, "stages": make_stages}
 
 
 def measure_unit(unit, times):
@@ -178,12 +219,13 @@ def read_results(kind, summary, times=1):
 
 def is_compared(kind, name):
     starts = {"lem": "lem.", "seepage": "lem.surface", "timeline": "timeline.factor", "fem": "fem.associated.factor",
-              "mpm": ("displacement", "stage["), "bounds": "bounds."}[kind]
+              "mpm": ("displacement", "stage["), "bounds": "bounds.", "supports": ("lem.bishop", "lem.spencer", "lem.noncircular", "fem.associated.factor"), "walls": "fem.associated.factor",
+              "stages": "construction."}[kind]
     return name.startswith(starts) and name != "lem.factor" and not name.endswith(".time")
 
 
 def group(kind, name):
     """The column of the table that a result belongs to."""
-    if kind != "lem":
+    if kind != "lem" and not (kind == "supports" and name.startswith("lem.")):
         return kind
     return "given surfaces" if ".surface[" in name else "polylines" if ".noncircular." in name else "circles"

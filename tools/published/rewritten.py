@@ -11,7 +11,7 @@ import tomllib
 from .problem import FOOT, PCF, PSF
 
 # Lengths that a case file gives as plain numbers [m]; every other quantity is a text with its unit.
-PLACES = {"points", "water_table", "x", "box", "near", "at", "exit", "entry", "corners", "centre", "ends"}
+PLACES = {"points", "water_table", "x", "box", "near", "at", "exit", "entry", "corners", "centre", "ends", "heads"}
 LEVELS = {"head", "cohesion_level", "undrained_level", "levels"}
 LENGTHS = {"smallest_depth", "size", "depth", "water", "distance", "radius", "thickness"}
 # unit → (its dimension in masses, lengths and times, the unit of practice, SI of one over SI of the other)
@@ -64,7 +64,7 @@ def change_points(case, change):
     def walk(value, key):
         if isinstance(value, dict):
             return {k: walk(v, k) for k, v in value.items()}
-        if key in ("x", "exit", "entry", "ends"):
+        if key in ("x", "exit", "entry") or (key == "ends" and isinstance(value[0], (int, float))):
             return [change(x, 0)[0] for x in value]
         if key in PLACES:
             return list(change(*value)) if isinstance(value[0], (int, float)) else [list(change(*point)) for point in value]
@@ -181,8 +181,11 @@ def rename(case):
     case["regions"] = {polygons[name]: materials[soil] for name, soil in case["regions"].items()}
     for polygon in case["geometry"]["polygon"]:
         polygon["name"] = polygons[polygon["name"]]
-    for number, load in enumerate(case.get("surcharge", [])):
-        load["name"] = f"w{9 - number}"
+    loads = {load["name"]: f"w{9 - number}" for number, load in enumerate(case.get("surcharge", []))}
+    for load in case.get("surcharge", []):
+        load["name"] = loads[load["name"]]
+    for stage in case.get("construction", []):
+        stage["add"] = [loads[name] for name in stage.get("add", [])]
     lines = {line["name"]: f"v{9 - number}" for number, line in enumerate(case["geometry"].get("line", []))}
     for line in case["geometry"].get("line", []):
         line["name"] = lines[line["name"]]
