@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 
 #include "run/bounds/problem_of_case.hpp"
 #include "support/supported_slope.hpp"
@@ -115,6 +116,85 @@ TEST(BoundsHeads, OfOneAnchoredCutGiveIntervalsThatOverlap) {
     for (const auto& b : intervals) EXPECT_LE(a[0], b[1]);
   // FEM has 1.120 [0.976, 1.191].
   EXPECT_LT(intervals[0][0], 1.191);
+}
+
+/// A slab of strong soil on a thin seam of clay along a plane at θ, held by nails without heads that dip by 15°.
+struct Slab {
+  static constexpr double cohesion = 15, length = 8.94427191, weight = 20 * 9.6 + 0.1 * 3.2;  // kPa, m, kN/m
+
+  static std::string write(const std::string& heads, double force, const char* sense) {
+    return fmt::format(R"(
+[geometry]
+box = [[2, 0], [16, 8]]
+[[geometry.polygon]]
+name = "base"
+points = [[2, 0], [16, 0], [16, 8], [12, 6], [4, 2], [2, 2]]
+[[geometry.polygon]]
+name = "seam"
+points = [[4, 2], [12, 6], [12, 6.4], [4, 2.4]]
+[[geometry.polygon]]
+name = "slab"
+points = [[4, 2.4], [12, 6.4], [12, 7.6], [4, 3.6]]
+[regions]
+base = "rock"
+seam = "clay"
+slab = "rock"
+[materials.rock]
+model = "mohr_coulomb"
+unit_weight = 20
+cohesion = 1e5
+friction_angle = 0
+tensile_strength = 1e5
+[materials.clay]
+model = "mohr_coulomb"
+unit_weight = 0.1
+cohesion = {}
+friction_angle = 0
+tensile_strength = 0
+[analysis]
+methods = ["bounds"]
+[bounds]
+size = 3
+tension = "apex"
+[support.bar]
+kind = "nail"
+heads = {}
+inclination = 15
+length = 8
+out_of_plane_spacing = 1
+tensile_strength = {}
+plate = 0
+bond = 1000
+sense = "{}"
+)",
+                       cohesion, heads, force, sense);
+  }
+  /// F (W sin θ − T cos(θ + δ)) = c l for active bars, and F W sin θ = c l + T cos(θ + δ) for passive ones.
+  static double find_factor(double force, bool is_active) {
+    const double theta = std::atan(0.5), held = force * std::cos(theta + std::atan(1.0) / 3),
+                 driving = weight * std::sin(theta), resisting = cohesion * length;
+    return is_active ? resisting / (driving - held) : (resisting + held) / driving;
+  }
+};
+
+/// One bar, and a row of three, with both conventions of LEM. The ends of the seam, where its shear stress vanishes,
+/// take 0.2 % of the factor.
+TEST(BoundsHeads, BarsHoldASlabOnAPlaneByTheConventionOfLem) {
+  for (const auto& [heads, force, count] :
+       {std::tuple{"[[7, 5.1]]", 20.0, 1}, {"[[6, 4.6], [7, 5.1], [8, 5.6]]", 7.0, 3}})
+    for (const bool is_active : {true, false}) {
+      bounds::BoundsOptions options;
+      options.gap = 0.2, options.most_triangles = 250;
+      const double exact = Slab::find_factor(count * force, is_active);
+      options.start = exact;
+      const site::Site site = support::read_site(Slab::write(heads, force, is_active ? "active" : "passive"));
+      const auto found = run::find_case_bounds(run::make_bounds_problem(site, run::Supports::below_soil), options);
+      EXPECT_EQ(found.no_lower + found.no_upper, "");
+      EXPECT_LE(found.lower, exact * (1 + 1e-6)) << heads << is_active;
+      EXPECT_GE(found.upper, 0.995 * exact) << heads << is_active;
+      EXPECT_LE(found.upper, 1.06 * exact) << heads << is_active;
+      EXPECT_GE(found.lower, 0.8 * exact) << heads << is_active;
+    }
 }
 
 }  // namespace
