@@ -140,9 +140,8 @@ bool read_once(toml::table root, const std::string& name, const std::vector<Over
   if (!findings.empty()) return false;
   std::vector<std::string> replaced;
   if (loaded.is_whole) replaced = replace_harmful(loaded.data);
-  // Limit analysis presses heads on a metre of the ground, which may fail below them. LEM has no such mechanism, and
-  // its factor is not wrong where a facing is wider.
-  if (!loaded.data.supports.empty()) loaded.data.lem.referee = false;
+  // LEM has no mechanism that bends a wall, and limit analysis no force across a pile.
+  if (find_axial_obstacle(loaded.data)) loaded.data.lem.referee = false;
   nlohmann::json result = echo(loaded.data, findings.places);
   if (!loaded.is_whole) drop_absent_blocks(result, findings.places);
   loaded.echo = JsonTree(std::move(result));

@@ -41,6 +41,21 @@ bool has_supports(const RunResult& run) {
   return run.supports || (run.elements && std::any_of(run.elements->runs.begin(), run.elements->runs.end(), holds));
 }
 
+/// Returns true if the pull of an active support has a part along the sliding of the base that it crosses.
+bool may_be_driven(const CriticalSurface& c) {
+  const SliceTable& t = c.slices;
+  const auto drives = [&](const SupportForce& f) {
+    for (std::size_t i = 0; f.is_active && i < t.size(); ++i) {
+      if (f.crossing[0] < t.left[i] || f.crossing[0] > t.right[i]) continue;
+      const Point &a = t.base_left[i], &b = t.base_right[i];
+      const double along = f.direction[0] * (b[0] - a[0]) + f.direction[1] * (b[1] - a[1]);
+      if (c.slides_left ? along < 0 : along > 0) return true;
+    }
+    return false;
+  };
+  return c.supports && std::any_of(c.supports->begin(), c.supports->end(), drives);
+}
+
 }  // namespace
 
 std::string describe_side(const EarthquakeSide& side, const char* what) {
@@ -91,8 +106,7 @@ std::optional<GoverningSurface> find_governing_surface(const RunResult& run) {
 }
 
 std::string describe_ruled_out(const RunResult& run) {
-  if (!run.slices || !run.slices->referee || !run.slices->referee->is_interval() || find_governing_surface(run))
-    return "";
+  if (!run.slices || !run.slices->referee || !run.slices->referee->lower || find_governing_surface(run)) return "";
   const auto least = find_least_surface(*run.slices, run.methods ? &*run.methods : nullptr);
   if (!least) return "no factor by limit equilibrium is possible";
   return fmt::format(
@@ -116,12 +130,23 @@ std::string name_surface(const GoverningSurface& surface, const ShownUnits& unit
   }
 }
 
+Verdict judge(const Referee& referee, const CriticalSurface& surface) {
+  Verdict verdict = referee.judge(*surface.surface.factor);
+  if (!surface.supports) return verdict;
+  // The heads of supports leave no upper bound, and without one there is no width that could make the lower one unsafe:
+  // where it rules factors out, the factor that governs is at most `most_above_lower` above it.
+  if (referee.lower && !referee.upper && !referee.upper_only &&
+      *surface.surface.factor < (1 - judging_tolerance) * show_lower(*referee.lower))
+    verdict = Verdict::too_low;
+  return verdict == Verdict::too_low && may_be_driven(surface) ? Verdict::possible : verdict;
+}
+
 void take_referee(Referee referee, SliceResult& slices) {
   if (!referee.why_not)
     for (auto* list : {&slices.critical, &slices.noncircular, &slices.given})
       for (CriticalSurface& c : *list) {
         if (!c.surface.factor) continue;
-        c.verdict = referee.judge(*c.surface.factor);
+        c.verdict = judge(referee, c);
         // Without a search the factor belongs to one given surface, which may lie above the bound of the slope because
         // another mechanism governs.
         if (c.verdict == Verdict::too_high && !slices.search) c.verdict = Verdict::possible;

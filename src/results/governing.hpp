@@ -34,6 +34,11 @@ inline constexpr double most_above_lower = 0.03;
 /// is possible"; empty if a surface governs or there is no interval.
 std::string describe_ruled_out(const RunResult& run);
 
+/// Classifies a surface by the bounds of limit analysis. A surface with supports is too low by the lower bound alone
+/// too. Where the pull of an active support has a part along the sliding of the base, its prestress drives the mass in
+/// LEM and is zero in limit analysis: the surface is not too low.
+Verdict judge(const Referee& referee, const CriticalSurface& surface);
+
 /// Marks the factors outside the interval of limit analysis, and stores its interval in `slices`.
 void take_referee(Referee referee, SliceResult& slices);
 

@@ -228,6 +228,29 @@ TEST(Supports, WallsAreRefusedWhereTheyAreNotTaken) {
                    "support 'row' is a pile, and limit analysis takes nails, anchors, geosynthetics and walls");
 }
 
+/// Limit analysis judges the factors of LEM beside bars whose force is axial, and says why not beside others.
+TEST(Supports, WithAxialForcesLeaveTheRefereeOn) {
+  const auto is_judged = [](const std::string& text) { return read_case_text(text, "slope.toml").data.lem.referee; };
+  const std::string grid =
+      "[support.grid]\nkind = \"geosynthetic\"\nheads = [[35, 24]]\nends = [[45, 24]]\nstrength = 40\n"
+      "bond_friction = 25\nconnection = 0\n";
+  EXPECT_TRUE(is_judged(write_nails()));
+  EXPECT_TRUE(is_judged(write_nails() + "sense = \"active\"\n" + grid));
+  EXPECT_FALSE(is_judged(write_nails() + "direction = \"tangent\"\n"));
+  const std::string wall = "[support.sheet]\nkind = \"wall\"\nline = [[40, 30], [40, 22]]\n",
+                    row =
+                        "[support.row]\nkind = \"pile\"\nx = [40]\nlength = 8\nout_of_plane_spacing = 2\n"
+                        "lateral_resistance = 50\n";
+  for (const std::string& bent : {wall, row}) {
+    EXPECT_FALSE(is_judged(slices_alone + bent));
+    EXPECT_FALSE(is_judged(write_nails() + bent));
+  }
+  Case data = read_case_text(write_nails() + wall, "slope.toml").data;
+  EXPECT_NE(find_axial_obstacle(data).value_or("").find("'sheet' is a wall, whose bending"), std::string::npos);
+  data.supports.erase("sheet");
+  EXPECT_FALSE(find_axial_obstacle(data).has_value());
+}
+
 TEST(Supports, LooseHeadOnAWallBringsAWarning) {
   const std::string sheet = "[support.sheet]\nkind = \"wall\"\nline = [[42, 31], [42, 22]]\nweight = 8\n";
   const auto read_warnings = [&](const std::string& plate) {

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include <nlohmann/json.hpp>
 
 #include "results/interval.hpp"
@@ -73,6 +75,50 @@ TEST(FarExtrapolation, IsThatOfTheMainFactor) {
   elements.factor = 0.937;
   run.slices.emplace().critical = {make_governing_surface(SliceMethod::spencer, 0.9)};
   EXPECT_FALSE(find_far_extrapolation(run)) << "LEM governs";
+}
+
+/// A mass that slides down to the left over a base at 45°, held by an anchor at `dip` below the horizontal.
+CriticalSurface make_anchored_surface(double factor, double dip) {
+  CriticalSurface c = make_governing_surface(SliceMethod::spencer, factor);
+  c.slides_left = true;
+  c.slices.left = {0, 1}, c.slices.right = {1, 2};
+  c.slices.base_left = {{0, 0}, {1, 1}}, c.slices.base_right = {{1, 1}, {2, 2}};
+  SupportForce& force = c.supports.emplace().emplace_back();
+  force.is_active = true;
+  force.crossing = {1.5, 1.5};
+  force.direction = {std::cos(dip), -std::sin(dip)};
+  return c;
+}
+
+/// Prestress is a load in LEM and a resistance in limit analysis, which differ where it drives the mass.
+TEST(GoverningSurface, WithAnAnchorThatDrivesIsNotTooLow) {
+  Referee referee;
+  referee.lower = 1.18, referee.upper = 1.23;
+  const double degree = std::acos(-1) / 180;
+  EXPECT_EQ(judge(referee, make_anchored_surface(1.1, 40 * degree)), Verdict::too_low);
+  EXPECT_EQ(judge(referee, make_anchored_surface(1.1, 50 * degree)), Verdict::possible);
+  EXPECT_EQ(judge(referee, make_anchored_surface(1.3, 50 * degree)), Verdict::too_high);
+  CriticalSurface mirrored = make_anchored_surface(1.1, 40 * degree);
+  mirrored.slides_left = false;
+  EXPECT_EQ(judge(referee, mirrored), Verdict::possible) << "the same pull drives a mass that slides to the right";
+  CriticalSurface passive = make_anchored_surface(1.1, 50 * degree);
+  passive.supports->front().is_active = false;
+  EXPECT_EQ(judge(referee, passive), Verdict::too_low);
+  // The heads of supports leave no upper bound: the lower one rules out all the same.
+  referee.upper.reset();
+  RunResult run;
+  run.slices.emplace().search.emplace();
+  run.slices->critical = {make_anchored_surface(1.3, 40 * degree)};
+  run.slices->noncircular = {make_anchored_surface(1.1, 40 * degree)};
+  take_referee(referee, *run.slices);
+  EXPECT_EQ(run.slices->critical[0].verdict, Verdict::possible);
+  EXPECT_EQ(run.slices->noncircular[0].verdict, Verdict::too_low);
+  EXPECT_EQ(find_main_factor(run), 1.18) << "the least factor left lies 10 % above the lower bound";
+  EXPECT_EQ(find_proven_end(run), ProvenEnd::lower);
+  EXPECT_NE(describe_ruled_out(run), "");
+  run.slices->critical[0].surface.factor = 1.2;
+  EXPECT_EQ(find_main_factor(run), 1.2);
+  EXPECT_EQ(describe_ruled_out(run), "");
 }
 
 TEST(GoverningSurface, IsNeverOneThatLimitAnalysisProvesImpossible) {

@@ -147,7 +147,8 @@ void describe(Visitor& v, LimitEquilibrium& l) {
         "Find the horizontal acceleration with factor 1 of the critical surfaces; not with [lem.drawdown].");
   v.key("referee", l.referee, plain(),
         "Hold every factor against limit analysis (ψ = φ, tension up to the apex): a factor below the lower bound "
-        "or above the upper bound never governs.");
+        "or above the upper bound never governs. Beside supports whose force is not axial (piles, bolts, walls) it is "
+        "false.");
   v.table("entry_exit", l.entry_exit, "Where search = \"entry_exit\" looks.");
   v.table("grid", l.grid, "Where search = \"grid\" looks.");
   v.table("block", l.block, "Where search = \"block\" looks.");

@@ -399,6 +399,14 @@ std::string find_release_path(const Case& data) {
 
 }  // namespace
 
+std::optional<std::string> find_axial_obstacle(const Case& data) {
+  if (auto why = find_support_obstacle(data)) return why;
+  for (const auto& [name, support] : data.supports)
+    if (support.kind == SupportKind::wall)
+      return fmt::format("support '{}' is a wall, whose bending and embedment LEM does not have", name);
+  return std::nullopt;
+}
+
 void check_support_methods(const Case& data, Findings& findings) {
   if (!findings.is_sound("analysis.methods")) return;
   check_walls(data, findings);
@@ -429,11 +437,8 @@ void check_support_methods(const Case& data, Findings& findings) {
   if (data.lem.drawdown)
     findings.add("lem.drawdown", "not with [support.{}]: the force of supports during a rapid drawdown is not known",
                  data.supports.begin()->first);
-  if (data.lem.referee && findings.places.is_given("lem.referee"))
-    findings.add("lem.referee",
-                 "not with [support.{}]: the soil below its heads may fail in limit analysis and not in LEM; add "
-                 "\"bounds\" to 'methods' for the interval",
-                 data.supports.begin()->first);
+  if (const auto why = find_axial_obstacle(data); why && data.lem.referee && findings.places.is_given("lem.referee"))
+    findings.add("lem.referee", "limit analysis cannot judge these supports: {}; leave out 'referee'", *why);
   if (data.mesh.dimension != 2)
     findings.add("support." + data.supports.begin()->first, "supports need a plane section, with dimension = 2");
 }

@@ -163,6 +163,9 @@ BarLayout lay_bars(const Support& support, const mesh::Polyline& ground, const S
 bool has_passive_supports(const Case& data);
 /// Returns why limit analysis does not take the supports of a case; nullopt if it does.
 std::optional<std::string> find_support_obstacle(const Case& data);
+/// Returns why limit analysis cannot judge the factors of LEM beside the supports of a case, which have to be bars with
+/// axial forces; nullopt if it can.
+std::optional<std::string> find_axial_obstacle(const Case& data);
 
 /// Reports methods that do not take the supports of a case, and the stiffness that FEM and MPM need.
 void check_support_methods(const Case& data, Findings& findings);

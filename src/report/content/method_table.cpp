@@ -288,7 +288,16 @@ std::string format_main_factors(const results::RunResult& run, const std::vector
 }
 
 std::string format_referee(const results::RunResult& run) {
-  if (!run.slices || run.slices->error || !run.slices->referee || !run.slices->referee->is_interval()) return "";
+  if (!run.slices || run.slices->error || !run.slices->referee) return "";
+  if (!run.slices->referee->is_interval()) {
+    // With supports the lower bound may be the answer.
+    const std::string why = results::describe_ruled_out(run);
+    return why.empty() ? ""
+                       : fmt::format(
+                             "For ψ = φ the factor of safety is at least {:.3f} by limit analysis. That is the "
+                             "answer: {}.",
+                             results::show_lower(*run.slices->referee->lower), why);
+  }
   const double lower = results::show_lower(*run.slices->referee->lower),
                upper = results::show_upper(*run.slices->referee->upper);
   if (run.slices->referee->upper_only)

@@ -23,7 +23,7 @@ constexpr int most_triangles = 2500, most_unproven = 3;
 /// Returns why limit analysis cannot judge this case; nullopt if it can.
 std::optional<std::string> find_obstacle(const input::Case& data) {
   if (data.mesh.dimension != 2) return "limit analysis is that of a plane section";
-  if (auto why = input::find_support_obstacle(data)) return why;
+  if (auto why = input::find_axial_obstacle(data)) return why;
   if (data.lem.drawdown) return "strengths after a rapid drawdown depend on the slip surface";
   for (const auto& [region, name] : data.regions) {
     const input::Material& material = data.materials.at(name);
@@ -75,13 +75,14 @@ results::Referee search_referee_interval(const input::Case& data, std::optional<
   search.start = start.value_or(1);
   search.threads = options.threads;
   input::Case judged = make_case(data);
-  bool has_lower = true;
+  bool has_lower = true, has_heads = false;
   try {
     for (const input::EarthquakeDirection direction : data.earthquake.list_directions()) {
       judged.earthquake.direction = direction;
       if (options.progress) options.progress->show("limit analysis: proving an interval");
       const ProblemOfCase made = make_bounds_problem(judged, Supports::below_soil);
       search.most_triangles = std::max(most_triangles, 2 * static_cast<int>(made.problem.size()));
+      has_heads = !made.problem.heads.empty();
       take(find_case_bounds(made, search), referee);
       has_lower = has_lower && referee.no_lower.empty();
     }
@@ -92,6 +93,12 @@ results::Referee search_referee_interval(const input::Case& data, std::optional<
     return none;
   }
   if (!has_lower) referee.lower.reset();
+  if (has_heads) {
+    referee.upper.reset();
+    referee.no_upper =
+        "it presses the heads of supports on a metre of the ground, below which the soil may fail, and in LEM it does "
+        "not";
+  }
   if (data.lem.crack.depth > 0)
     referee.upper_only = "the tension crack of the case weakens the soil, and limit analysis has none";
   referee.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -303,7 +303,7 @@ class Comparison {
     results::CriticalSurface& found = results_.optimised.emplace_back(make_critical_result(*slope_, best));
     found.surface.name = name;
     if (const auto& referee = run_.slices->referee; referee && !referee->why_not)
-      found.verdict = referee->judge(*factor);
+      found.verdict = results::judge(*referee, found);
     if (data_.lem.yield_acceleration)
       found.yield_acceleration = lem::find_yield_acceleration(*slope_, best.cut, best.method, options.checks);
     results::MethodRow row =

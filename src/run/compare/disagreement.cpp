@@ -350,6 +350,9 @@ std::string describe_interval(const results::Referee& referee) {
   if (referee.upper)
     return fmt::format("Limit analysis proves that the factor is at most {:.3f}; there is no lower bound: {}.",
                        results::show_upper(*referee.upper), referee.no_lower);
+  if (referee.lower)
+    return fmt::format("Limit analysis proves that the factor is at least {:.3f}; there is no upper bound: {}.",
+                       results::show_lower(*referee.lower), referee.no_upper);
   return fmt::format("Limit analysis is undecided, so that the factors of limit equilibrium are not judged: {}.",
                      referee.no_upper);
 }
@@ -359,12 +362,8 @@ std::string describe_interval(const results::Referee& referee) {
 std::vector<std::string> read_referee(const input::Case& data, const results::RunResult& run,
                                       std::optional<double> governing) {
   if (!run.slices || run.slices->error) return {};
-  if (const auto why = input::find_support_obstacle(data))
+  if (const auto why = input::find_axial_obstacle(data))
     return {fmt::format("The factors of limit equilibrium were not held against limit analysis: {}.", *why)};
-  if (!data.supports.empty())
-    return {
-        "The factors of limit equilibrium were not held against limit analysis, in which the soil below the heads of "
-        "supports may fail."};
   if (!data.lem.referee)
     return {"The factors of limit equilibrium were not held against limit analysis (referee = false)."};
   if (!run.slices->referee) return {};
