@@ -47,12 +47,12 @@ on = "bottom"
 fix = "full"
 [[stage]]
 name = "gravity"
-duration = 1.5
+duration = 0.5
 [analysis]
 methods = ["lem", "fem", "mpm"]
 [lem]
 methods = ["spencer"]
-entry_exit = { exits = 10, entries = 10, depths = 7 }
+entry_exit = { exits = 6, entries = 6, depths = 5 }
 noncircular = false
 referee = false
 [fem]
@@ -106,23 +106,47 @@ def drop_seconds(text):
     return re.sub(r"(  +[\d.]+$| +Computing time: .*|^Computing time: .*)", "", text, flags=re.M)
 
 
-def test_a_run_has_the_same_bits_and_words(foreign, tmp_path):
+def run_program(folder, variables):
+    """The files of a run and its plots in the folder, and what it printed."""
+    (folder / "case.toml").write_text(CASE)
+    done = call("run", folder / "case.toml", "-o", folder / "out", "--threads", 1, env=variables)
+    assert done.returncode == 0, done.stderr
+    assert call("plot", folder / "out", env=variables).returncode == 0
+    return folder / "out", drop_seconds(done.stdout.replace(str(folder), ""))
+
+
+def run_python(folder, variables, locale, point):
+    (folder / "case.toml").write_text(CASE)
+    words = [sys.executable, "-c", IN_PYTHON, str(folder / "case.toml"), str(folder / "out"), locale, point]
+    done = subprocess.run(words, env=variables, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    return folder / "out", done.stdout
+
+
+@pytest.fixture(scope="module")
+def program_at_home(tmp_path_factory):
+    return run_program(tmp_path_factory.mktemp("program"), None)
+
+
+@pytest.fixture(scope="module")
+def python_at_home(tmp_path_factory):
+    return run_python(tmp_path_factory.mktemp("python"), None, "C", ".")
+
+
+def read_summary(folder):
+    return strip(json.loads((folder / "summary.json").read_text()))
+
+
+def test_a_run_has_the_same_bits_and_words(foreign, tmp_path, program_at_home):
     environment, _ = foreign
-    (tmp_path / "case.toml").write_text(CASE)
-    told = {}
-    for folder, variables in (("out_1", None), ("out_2", environment)):
-        done = call("run", tmp_path / "case.toml", "-o", tmp_path / folder, "--threads", 1, env=variables)
-        assert done.returncode == 0, done.stderr
-        told[folder] = drop_seconds(done.stdout.replace(folder, "out"))
-        assert call("plot", tmp_path / folder, env=variables).returncode == 0
-    assert told["out_1"] == told["out_2"]
-    names = sorted(file.name for file in (tmp_path / "out_1").iterdir())
-    assert names == sorted(file.name for file in (tmp_path / "out_2").iterdir())
-    summaries = [strip(json.loads((tmp_path / folder / "summary.json").read_text())) for folder in ("out_1", "out_2")]
-    assert summaries[0] == summaries[1]
+    (here, told_here), (there, told_there) = program_at_home, run_program(tmp_path, environment)
+    assert told_here == told_there
+    names = sorted(file.name for file in here.iterdir())
+    assert names == sorted(file.name for file in there.iterdir())
+    assert read_summary(here) == read_summary(there)
     for name in names:
         if name.endswith((".csv", ".svg", ".vtkhdf", ".vtu", ".xdmf")):
-            assert (tmp_path / "out_1" / name).read_bytes() == (tmp_path / "out_2" / name).read_bytes(), name
+            assert (here / name).read_bytes() == (there / name).read_bytes(), name
 
 
 def test_mistakes_are_told_in_the_same_words(foreign, tmp_path):
@@ -133,15 +157,8 @@ def test_mistakes_are_told_in_the_same_words(foreign, tmp_path):
     assert here.stderr == there.stderr and "7,25 kPa" in here.stderr
 
 
-def test_python_calculates_the_same_under_a_set_locale(foreign, tmp_path):
+def test_python_calculates_the_same_under_a_set_locale(foreign, tmp_path, python_at_home):
     environment, name = foreign
-    (tmp_path / "case.toml").write_text(CASE)
-    told = []
-    for folder, variables, locale, point in (("out_1", None, "C", "."), ("out_2", environment, name, ",")):
-        words = [sys.executable, "-c", IN_PYTHON, str(tmp_path / "case.toml"), str(tmp_path / folder), locale, point]
-        done = subprocess.run(words, env=variables, capture_output=True, text=True)
-        assert done.returncode == 0, done.stderr
-        told.append(done.stdout)
-    assert told[0] == told[1]
-    summaries = [strip(json.loads((tmp_path / folder / "summary.json").read_text())) for folder in ("out_1", "out_2")]
-    assert summaries[0] == summaries[1]
+    (here, told_here), (there, told_there) = python_at_home, run_python(tmp_path, environment, name, ",")
+    assert told_here == told_there
+    assert read_summary(here) == read_summary(there)
