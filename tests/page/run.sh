@@ -39,7 +39,7 @@ fi
 command=run
 grep -q '^\[study\]' "$case" && command=study
 rm -rf "$folder"
-"$talus" $command "$case" -o "$folder/results" --quiet "${more[@]}"
+"$talus" $command "$case" -o "$folder/results" --quiet --threads 1 "${more[@]}"
 report=$folder/results/report.html
 size=$(stat -c %s "$report")
 echo "report.html: $size bytes"
@@ -51,6 +51,6 @@ if [ $command = run ]; then
   export TALUS_RESULTS=$folder/results
   tests+=(tests/results.test.ts tests/methods.test.ts)
 fi
-TALUS_REPORT=$report npx --no-install vitest run "${tests[@]}"
+TALUS_REPORT=$report npx --no-install vitest run --no-isolate "${tests[@]}"
 [ -x "${TALUS_CHROMIUM:-/usr/bin/chromium}" ] || skip "there is no Chromium, so the report is not opened"
 node browser/check.mjs "$report" "$folder/results" "$folder/screenshots" $short

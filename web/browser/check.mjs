@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Uses a report as a reader would, in headless Chromium: node check.mjs REPORT.html RESULTS_DIR OUT_DIR [--short]
-// --short: one colour scheme instead of two, and no pictures of whole pages.
+// --short: one colour scheme instead of two, no pictures of whole pages, and the page that was used is printed.
 import { existsSync, mkdirSync, statSync } from "node:fs";
 import { resolve } from "node:path";
 
@@ -61,7 +61,7 @@ try {
   await list.group("Width", () => checkWidth(list, page, "at a width of 1280"));
   const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true };
   await list.group("Phone", async () => checkPhone(list, await open(phone), out, !isShort));
-  await list.group("Print", async () => checkPrint(list, await open(), out));
+  await list.group("Print", async () => checkPrint(list, isShort ? page : await open(), out));
   for (const colorScheme of isShort ? ["dark"] : ["light", "dark"]) {
     const coloured = await open({ colorScheme });
     await list.group(`Colours, ${colorScheme}`, () => checkColours(list, coloured, colorScheme, out));
