@@ -25,6 +25,8 @@ if [ "$preset" = tsan ]; then
   export TSAN_OPTIONS="ignore_noninstrumented_modules=1${TSAN_OPTIONS:+:$TSAN_OPTIONS}"
   [ -n "$OMP_TOOL_LIBRARIES" ] || echo "SKIP: there is no libarcher.so: what the sanitizer says of OpenMP is not to be believed"
 fi
+# Else each start of the program starts it again with this variable, and threads spin that wait for a core of another test.
+export OMP_WAIT_POLICY="${OMP_WAIT_POLICY:-passive}"
 long=
 if [ -z "$all" ] && [ -z "$names" ]; then
   # The first word of each line is a name, in which ctest's expressions read a dot as any letter.
