@@ -101,6 +101,40 @@ points = [[0, 7.75], [12.5, 7.75], [11, 10], [0, 10]])");
   EXPECT_NEAR(widths[0], 1, 0.02);
 }
 
+/// The force of a horizontal bar at x; 0 beside it [N/m].
+double find_bar_force(const bounds::Problem& problem, double x) {
+  for (const bounds::BarEdge& bar : problem.bars) {
+    const double from = problem.nodes[static_cast<std::size_t>(bar.from)][0],
+                 part = (x - from) / (problem.nodes[static_cast<std::size_t>(bar.to)][0] - from);
+    if (part >= 0 && part <= 1) return bar.force[0] + part * (bar.force[1] - bar.force[0]);
+  }
+  return 0;
+}
+
+/// Bond by friction grows with the depth below the face, so that the force is a curve: a line between two nodes above
+/// it proves nothing. What a coarse mesh holds for the lower bound lies below what a fine one holds for the upper, and
+/// conversely.
+TEST(BoundsHeads, ForcesOfBarsAreOnTheSafeSideBetweenTheirNodes) {
+  const std::string grid =
+      "[support.bar]\nkind = \"geosynthetic\"\nheads = [[13.666667, 6]]\nends = [[5, 6]]\nstrength = 60\n"
+      "connection = 5\nbond_friction = 26\nbond_scale = 0.8\nbond_adhesion = 1\n";
+  const auto make = [&](const std::string& size) {
+    return run::make_bounds_problem(support::read_site(write_cut(grid, size)), run::Supports::below_soil);
+  };
+  const run::ProblemOfCase coarse = make("size = 4\n"), fine = make("size = 0.3\n");
+  ASSERT_TRUE(coarse.stronger && fine.stronger);
+  double widest = 0, largest = 0;
+  for (double x = 5.05; x < 13.65; x += 0.05) {
+    const double low = find_bar_force(coarse.problem, x), high = find_bar_force(*coarse.stronger, x);
+    EXPECT_LE(low, find_bar_force(*fine.stronger, x) * (1 + 1e-6)) << x;
+    EXPECT_GE(high * (1 + 1e-6), find_bar_force(fine.problem, x)) << x;
+    widest = std::max(widest, find_bar_force(*fine.stronger, x) - find_bar_force(fine.problem, x));
+    largest = std::max(largest, high);
+  }
+  EXPECT_GT(largest, 0);
+  EXPECT_LT(widest, 0.1 * largest) << "they meet on finer meshes";
+}
+
 TEST(BoundsHeads, OfOneAnchoredCutGiveIntervalsThatOverlap) {
   std::vector<std::array<double, 2>> intervals;
   for (const char* size : {"", "size = 1\n"}) {

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <set>
 
 #include "base/error.hpp"
 #include "input/case/support.hpp"
@@ -26,6 +28,17 @@ constexpr double on_ground = 1e-4;
 /// Parts of a bar in which its force is examined for kinks; kinks nearer than this fraction are one.
 constexpr int bar_samples = 400;
 constexpr double near = 1e-3;
+
+/// Points of an edge between its nodes at which its force is held against that of the bar, and differences up to this
+/// fraction of it that are rounding errors.
+constexpr int edge_samples = 9;
+constexpr double rounding_of_force = 1e-6;
+/// Distance from the end of a bar, over its length, up to which a node is that end.
+constexpr double at_end_of_bar = 1e-6;
+
+double find_part(int sample) {
+  return (sample + 1.0) / (edge_samples + 1);
+}
 
 /// The point of a line that is nearest to another point.
 struct Foot {
@@ -145,6 +158,84 @@ mesh::Plan BarsOfCase::conform(mesh::Plan plan) const {
   return plan;
 }
 
+double BarsOfCase::measure(const bounds::Problem& problem, std::size_t bar, int node) const {
+  const Vec<2>&x = problem.nodes[static_cast<std::size_t>(node)], &head = lines_[bar].bar.head,
+        &d = lines_[bar].direction;
+  return (x[0] - head[0]) * d[0] + (x[1] - head[1]) * d[1];
+}
+
+std::vector<double> BarsOfCase::sample(const bounds::Problem& problem, const bounds::BarEdge& edge) const {
+  const double from = measure(problem, edge.bar, edge.from), to = measure(problem, edge.bar, edge.to);
+  std::vector<double> forces;
+  for (int i = 0; i < edge_samples; ++i)
+    forces.push_back(lines_[edge.bar].find_force(from + find_part(i) * (to - from)));
+  return forces;
+}
+
+bool BarsOfCase::are_bent(const bounds::Problem& problem) const {
+  return std::any_of(problem.bars.begin(), problem.bars.end(), [&](const bounds::BarEdge& edge) {
+    const std::vector<double> forces = sample(problem, edge);
+    const double largest = *std::max_element(forces.begin(), forces.end());
+    for (int i = 0; i < edge_samples; ++i) {
+      const double chord = edge.force[0] + find_part(i) * (edge.force[1] - edge.force[0]);
+      if (std::abs(chord - forces[static_cast<std::size_t>(i)]) > rounding_of_force * largest) return true;
+    }
+    return false;
+  });
+}
+
+void BarsOfCase::enclose(bounds::Problem& problem, bounds::Bound bound) const {
+  const bool is_lower = bound == bounds::Bound::lower;
+  using Place = std::pair<std::size_t, int>;  // bar and node
+  // A force that is zero at an end in the soil stays so: a jump there would be a force on the soil.
+  std::set<Place> ends, inner;
+  for (const bounds::BarEdge& edge : problem.bars) inner.insert({edge.bar, edge.to});
+  for (const bounds::BarEdge& edge : problem.bars) {
+    if (edge.force[0] == 0 && !inner.contains({edge.bar, edge.from})) ends.insert({edge.bar, edge.from});
+    if (measure(problem, edge.bar, edge.to) > (1 - at_end_of_bar) * lines_[edge.bar].length)
+      ends.insert({edge.bar, edge.to});
+  }
+  std::map<Place, double> at_node;
+  const auto find = [&](const bounds::BarEdge& edge, bool at_end) -> double& {
+    return at_node[{edge.bar, at_end ? edge.to : edge.from}];
+  };
+  for (const bounds::BarEdge& edge : problem.bars)
+    for (const int node : {edge.from, edge.to})
+      at_node[{edge.bar, node}] =
+          ends.contains({edge.bar, node}) ? 0 : lines_[edge.bar].find_force(measure(problem, edge.bar, node));
+  const auto exact = at_node;
+  for (const bounds::BarEdge& edge : problem.bars) {
+    const std::vector<double> forces = sample(problem, edge);
+    const double from = exact.at({edge.bar, edge.from}), to = exact.at({edge.bar, edge.to});
+    double off = 0;  // by which the chord is on the wrong side
+    for (int i = 0; i < edge_samples; ++i) {
+      const double chord = from + find_part(i) * (to - from), force = forces[static_cast<std::size_t>(i)];
+      off = std::max(off, is_lower ? chord - force : force - chord);
+    }
+    for (const bool at_end : {false, true}) {
+      double& own = find(edge, at_end);
+      const double known = at_end ? to : from;
+      if (known > 0) own = is_lower ? std::max(0.0, std::min(own, known - off)) : std::max(own, known + off);
+    }
+  }
+  // Next to a force of zero the other end alone decides.
+  for (const bounds::BarEdge& edge : problem.bars) {
+    const std::vector<double> forces = sample(problem, edge);
+    for (const bool at_end : {true, false}) {
+      double& own = find(edge, at_end);
+      const double other = find(edge, !at_end);
+      if (own == 0 || other != 0) continue;
+      for (int i = 0; i < edge_samples; ++i) {
+        const double part = at_end ? find_part(i) : 1 - find_part(i),
+                     needed = forces[static_cast<std::size_t>(i)] / part;
+        own = is_lower ? std::min(own, needed) : std::max(own, needed);
+      }
+    }
+  }
+  for (bounds::BarEdge& edge : problem.bars) edge.force = {find(edge, false), find(edge, true)};
+  for (bounds::BarHead& head : problem.heads) head.force = at_node.at({head.bar, head.node});
+}
+
 bounds::BarHead BarsOfCase::make_head(const Line& line, int node, const bounds::Problem& problem) const {
   bounds::BarHead head{node, line.direction, line.find_force(0), !line.bar.is_active, {}, line.wall};
   if (line.wall) return head;
@@ -164,24 +255,21 @@ void BarsOfCase::add(const mesh::Mesh<2>& mesh, const std::vector<int>& number, 
   const bounds::WallKeys walls(problem);
   for (std::size_t bar = 0; bar < lines_.size(); ++bar) {
     const Line& line = lines_[bar];
-    const auto measure = [&](int node) {
-      const Vec<2>& x = problem.nodes[static_cast<std::size_t>(node)];
-      return (x[0] - line.bar.head[0]) * line.direction[0] + (x[1] - line.bar.head[1]) * line.direction[1];
-    };
+    const auto find_place = [&](int node) { return measure(problem, bar, node); };
     int first = -1;
     double nearest = std::numeric_limits<double>::infinity();
     const std::size_t begin = problem.bars.size();
     for (const auto& side : site::find_sides(mesh, line.name)) {
       int from = number[static_cast<std::size_t>(side[0])], to = number[static_cast<std::size_t>(side[1])];
       if (from < 0 || to < 0) continue;
-      if (measure(from) > measure(to)) std::swap(from, to);
+      if (find_place(from) > find_place(to)) std::swap(from, to);
       if (walls.contains(from, to))
         throw Error(
             ExitCode::wrong_input,
             fmt::format("a bar of support '{}' lies along a wall, which limit analysis does not take", line.bar.name));
       problem.bars.push_back(
-          {from, to, {line.find_force(measure(from)), line.find_force(measure(to))}, !line.bar.is_active, bar});
-      if (measure(from) < nearest) nearest = measure(from), first = from;
+          {from, to, {line.find_force(find_place(from)), line.find_force(find_place(to))}, !line.bar.is_active, bar});
+      if (find_place(from) < nearest) nearest = find_place(from), first = from;
     }
     if (first < 0 || !(line.find_force(0) > 0)) continue;
     bounds::BarHead head = make_head(line, first, problem);

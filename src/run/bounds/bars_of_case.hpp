@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bounds/problem.hpp"
+#include "bounds/program_of.hpp"
 #include "lem/section/bars.hpp"
 #include "mesh/mesh.hpp"
 #include "mesh/plan.hpp"
@@ -25,6 +26,12 @@ class BarsOfCase {
   /// Adds bars and heads on a mesh of that plan to a problem with its walls; `number`: of its nodes in the problem.
   /// Throws Error (wrong_input) for a bar along a wall.
   void add(const mesh::Mesh<2>& mesh, const std::vector<int>& number, bounds::Problem& problem) const;
+  /// Returns true if the largest force of a bar is not linear between its nodes, as where bond grows with the
+  /// overburden.
+  bool are_bent(const bounds::Problem& problem) const;
+  /// Sets the forces at the nodes of all bars and at their heads so that between the nodes they are nowhere above the
+  /// largest force for the lower bound, and nowhere below it for the upper one; at nine points of each edge.
+  void enclose(bounds::Problem& problem, bounds::Bound bound) const;
 
  private:
   struct Line {
@@ -41,6 +48,9 @@ class BarsOfCase {
     double find_force(double s) const;
   };
   std::vector<double> list_kinks(const Line& line) const;
+  /// Returns the largest force at the points of an edge between its nodes [N/m].
+  std::vector<double> sample(const bounds::Problem& problem, const bounds::BarEdge& edge) const;
+  double measure(const bounds::Problem& problem, std::size_t bar, int node) const;
   std::vector<site::Point> list_head_ends() const;
   bounds::BarHead make_head(const Line& line, int node, const bounds::Problem& problem) const;
 

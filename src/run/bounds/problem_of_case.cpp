@@ -34,7 +34,11 @@ constexpr double bedding_spacing = 0.5;
 class ProblemBuilder {
  public:
   ProblemBuilder(const site::Site& site, Supports supports)
-      : site_(site), data_(site_.data()), supports_(supports), bars_(site), mesh_(make_mesh()) {}
+      : site_(site),
+        data_(site_.data()),
+        supports_(supports),
+        bars_(std::make_shared<const BarsOfCase>(site)),
+        mesh_(make_mesh()) {}
 
   ProblemOfCase build() {
     made_.notes = site_.list_open_ends();
@@ -44,14 +48,14 @@ class ProblemBuilder {
     add_strengths();
     add_walls(site_, mesh_, number_, made_.problem);
     add_sides();
-    bars_.add(mesh_, number_, made_.problem);
+    bars_->add(mesh_, number_, made_.problem);
     enclose_case();
     return std::move(made_);
   }
 
  private:
   mesh::Mesh<2> make_mesh() {
-    const mesh::Plan plan = bars_.conform(conform_to_loaded_walls(
+    const mesh::Plan plan = bars_->conform(conform_to_loaded_walls(
         site_, site::conform_to_loads(site_, mesh::resize(data_.mesh, input::find_bounds_size(data_)))));
     if (has_bedding(data_)) return generate_with_bedding(data_, plan, bedding_spacing, mesh_notes_);
     return generate_with_kinks(site_, plan);
@@ -92,12 +96,19 @@ class ProblemBuilder {
   void enclose_case() {
     made_.fields = fields_;
     const auto enclosure = std::make_shared<const CaseEnclosure>(fields_, made_.problem);
-    if (!outer_.empty() || enclosure->is_needed()) made_.stronger = made_.problem;
+    const bool has_bent_bars = bars_->are_bent(made_.problem);
+    if (!outer_.empty() || enclosure->is_needed() || has_bent_bars) made_.stronger = made_.problem;
     if (!outer_.empty()) made_.stronger->strength = outer_;
-    if (!enclosure->is_needed()) return;
-    enclosure->apply(made_.problem, bounds::Bound::lower);
-    enclosure->apply(*made_.stronger, bounds::Bound::upper);
-    made_.enclosure = enclosure;
+    if (enclosure->is_needed()) {
+      enclosure->apply(made_.problem, bounds::Bound::lower);
+      enclosure->apply(*made_.stronger, bounds::Bound::upper);
+      made_.enclosure = enclosure;
+    }
+    if (has_bent_bars) {
+      bars_->enclose(made_.problem, bounds::Bound::lower);
+      bars_->enclose(*made_.stronger, bounds::Bound::upper);
+      made_.bars = bars_;
+    }
   }
 
   bounds::EdgeKey find_key(const std::array<int, 2>& side) const {
@@ -204,7 +215,7 @@ class ProblemBuilder {
   const site::Site site_;
   const input::Case& data_;
   Supports supports_;
-  const BarsOfCase bars_;
+  std::shared_ptr<const BarsOfCase> bars_;
   std::vector<std::string> mesh_notes_;
   const mesh::Mesh<2> mesh_;
   std::shared_ptr<CaseFields> fields_;
@@ -236,9 +247,10 @@ bounds::BoundsResult find_case_bounds(const ProblemOfCase& made, const bounds::B
   const auto search = [&](const bounds::Problem& problem, const std::optional<bounds::Problem>& upper,
                           std::optional<bounds::Bound> only) {
     bounds::SafeProblems problems{problem, upper, {}};
-    if (made.enclosure)
+    if (made.enclosure || made.bars)
       problems.evaluate = [&](bounds::Problem& p, bounds::Bound bound) {
-        made.enclosure->apply(p, only.value_or(bound));
+        if (made.enclosure) made.enclosure->apply(p, only.value_or(bound));
+        if (made.bars) made.bars->enclose(p, only.value_or(bound));
       };
     return bounds::find_bounds(problems, options, report);
   };

@@ -18,16 +18,19 @@
 
 namespace talus::run {
 
+class BarsOfCase;
 class CaseEnclosure;
 class CaseFields;
 
 struct ProblemOfCase {
   bounds::Problem problem;
-  /// The same for the upper bound where strengths or pore pressures are not linear in each triangle: its strengths are
-  /// nowhere below and its pressures nowhere above those of the case, and those of `problem` conversely.
+  /// The same for the upper bound where strengths or pore pressures are not linear in each triangle, or forces of bars
+  /// between their nodes: its strengths and forces are nowhere below and its pressures nowhere above those of the case,
+  /// and those of `problem` conversely.
   std::optional<bounds::Problem> stronger;
   std::shared_ptr<const CaseFields> fields;
   std::shared_ptr<const CaseEnclosure> enclosure;  ///< for refined meshes; null: all is linear in the first mesh
+  std::shared_ptr<const BarsOfCase> bars;          ///< the same for the forces of bars
   site::WaterResult water;                         ///< origin of the pore pressures
   std::vector<std::string> notes;  ///< sentences on what limit analysis does not take from the case as it is
 };
