@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
 #include "run/bounds/case_fields.hpp"
 #include "run/bounds/problem_of_case.hpp"
 #include "support/supported_slope.hpp"
@@ -163,6 +167,44 @@ TEST(BoundsOfCase, AreWithdrawnWhereTheFieldsAreNotThoseOfTheCase) {
 }
 
 /// Without water and with uniform strength nothing is evaluated between the corners.
+/// A slope of 4 m at 1 in 2; `more`: its soil and what acts on it.
+std::string write_jump(const std::string& more) {
+  return "[geometry]\nground = [[0, 6], [10, 6], [18, 10], [30, 10]]\nlayer = [{ name = \"soil\", level = 0 }]\n"
+         "line = [{ name = \"face\", points = [[10, 6], [18, 10]] }]\n[regions]\nsoil = \"soil\"\n" +
+         methods_and_bounds + more;
+}
+
+/// Expects that no triangle of the first mesh has corners on both sides of a line, by their distances from it.
+void expect_cut(const std::string& text, const std::function<double(const Vec<2>&)>& find_distance) {
+  const bounds::Problem problem = run::make_bounds_problem(support::read_site(text), run::Supports::below_soil).problem;
+  for (const bounds::Triangle& t : problem.triangles) {
+    double least = 0, most = 0;
+    for (const int node : t) {
+      const double off = find_distance(problem.nodes[static_cast<std::size_t>(node)]);
+      least = std::min(least, off), most = std::max(most, off);
+    }
+    EXPECT_LT(std::min(-least, most), 1e-6);
+  }
+}
+
+/// The undrained strength jumps below the end of a load, and the cohesion of roots at their depth: no points inside a
+/// triangle would find a sliver of weaker soil.
+TEST(BoundsOfCase, TrianglesEndWhereStrengthJumps) {
+  expect_cut(write_jump("[[surcharge]]\nname = \"load\"\nx = [19.3, 24.7]\nload = [20000, 20000]\n[materials.soil]\n"
+                        "model = \"shansep\"\nunit_weight = 18\nstrength_ratio = 0.25\nstrength_exponent = 0.8\n"
+                        "added_strength = 10\nprofile_levels = [10, 0]\nprofile_preconsolidation = [100, 200]\n"),
+             [](const Vec<2>& x) { return x[0] - 24.7; });
+  const auto find_depth = [](const Vec<2>& x) {
+    const double along = ((x[0] - 10) * 2 + (x[1] - 6)) / std::sqrt(5.0),
+                 across = ((x[0] - 10) - 2 * (x[1] - 6)) / std::sqrt(5.0);
+    return along > 0 && along < std::sqrt(80.0) ? across - 1.2 : 0;
+  };
+  expect_cut(write_jump("[[roots]]\nground = \"face\"\ndepth = 1.2\ncohesion = 10\n[materials.soil]\n"
+                        "model = \"rooted_mohr_coulomb\"\nunit_weight = 18\ncohesion = 3\nfriction_angle = 28\n"
+                        "tensile_strength = 0\n"),
+             find_depth);
+}
+
 TEST(BoundsOfCase, OfUniformDrySoilNeedNoSecondProblem) {
   const std::string dry = wet_slope.substr(0, wet_slope.find("[initial]")) + methods_and_bounds;
   const auto made = run::make_bounds_problem(support::read_site(dry), run::Supports::below_soil);

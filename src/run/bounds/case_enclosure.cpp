@@ -20,8 +20,8 @@ constexpr int lattice = 8;
 /// Differences up to this fraction of the largest overburden are rounding errors.
 constexpr double rounding = 1e-7;
 /// Fraction of the way to the centre by which points on the sides lie inside a triangle, on whose sides strength and
-/// pressure may jump.
-constexpr double inwards = 1e-9;
+/// pressure may jump: more than the rounding of the coordinates of the mesh.
+constexpr double inwards = 1e-6;
 /// Points of each triangle that the comparison draws at random, and the seed.
 constexpr int drawn = 12;
 constexpr unsigned seed = 20261130;

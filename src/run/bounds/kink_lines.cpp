@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -66,6 +67,8 @@ class KinkLines {
       if (strength.cohesion_gradient != 0) lines.push_back(make_level(strength.cohesion_level));
       if (material::needs<material::StrengthProfile>(soil.model)) add_profile(soil, lines);
     }
+    if (material::needs<material::ShansepInput>(soil.model)) add_load_ends(lines);
+    if (material::needs<material::RootCohesionInput>(soil.model)) add_root_depths(lines);
     if (takes_water_table(data_) && site::find_pressure_source(data_, soil) == site::PressureSource::given &&
         !material::is_total_stress(soil.model, soil))
       add_table(soil, lines);
@@ -81,6 +84,47 @@ class KinkLines {
       lines.push_back(std::move(below));
     }
     for (const double x : soil.profile_x) lines.push_back({{x, plan_.box_min[1]}, {x, plan_.box_max[1]}});
+  }
+
+  /// Adds verticals below the ends and bends of surcharges, where the effective overburden jumps or bends.
+  void add_load_ends(std::vector<Polyline>& lines) const {
+    for (const input::Surcharge& load : data_.surcharges)
+      for (const double x : load.x) lines.push_back({{x, plan_.box_min[1]}, {x, plan_.box_max[1]}});
+  }
+
+  /// Adds the lines below which there are no roots, at one distance from the line of the roots.
+  void add_root_depths(std::vector<Polyline>& lines) const {
+    for (const input::Roots& roots : data_.roots)
+      for (const mesh::Line& line : plan_.lines)
+        if (line.name == roots.ground) lines.push_back(move_down(line.points, roots.depth));
+  }
+
+  /// Returns the points at one distance from a line, from left to right below it. Beyond its ends, and at a corner
+  /// where the soil has more than 180°, they lie on circles, of which a point every 22.5° is taken.
+  static Polyline move_down(Polyline line, double depth) {
+    constexpr double step = std::numbers::pi / 8;
+    if (line.front()[0] > line.back()[0]) std::reverse(line.begin(), line.end());
+    Polyline below;
+    const auto add = [&](const Point2& at, double angle) {
+      below.push_back({at[0] + depth * std::cos(angle), at[1] + depth * std::sin(angle)});
+    };
+    double last = -std::numbers::pi;  // direction from the line, of what was added last
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      const Point2 &a = line[i], &b = line[i + 1];
+      const double normal = std::atan2(b[1] - a[1], b[0] - a[0]) - std::numbers::pi / 2, turn = normal - last;
+      if (i > 0 && turn < 0) {  // both parallels meet
+        const double half = 0.5 * turn;
+        below.push_back({a[0] + depth / std::cos(half) * std::cos(last + half),
+                         a[1] + depth / std::cos(half) * std::sin(last + half)});
+      } else {
+        const int parts = std::max(1, static_cast<int>(std::ceil(turn / step)));
+        for (int k = 0; k <= parts; ++k) add(a, last + turn * k / parts);
+      }
+      last = normal;
+    }
+    const int parts = std::max(1, static_cast<int>(std::ceil(-last / step)));
+    for (int k = 0; k <= parts; ++k) add(line.back(), last - last * k / parts);
+    return below;
   }
 
   /// Adds the water table of a soil, level beyond its ends, and verticals below its vertices.
