@@ -65,6 +65,14 @@ std::vector<SoilPlace> list_places(const bounds::Problem& problem, const std::ve
   return places;
 }
 
+/// Returns the corners of the linear function with these values at the first points of the lattice.
+std::array<double, 3> find_corners(const double* values) {
+  const double mean = (values[0] + values[1] + values[2]) / 3;
+  std::array<double, 3> corners{};
+  for (std::size_t i = 0; i < 3; ++i) corners[i] = (values[i] - inwards * mean) / (1 - inwards);
+  return corners;
+}
+
 /// Returns the largest shortage of the linear function between corners at points.
 double find_shortage(const std::array<double, 3>& corner, const std::vector<Weights>& points, const double* values) {
   double most = 0;
@@ -210,7 +218,9 @@ void CaseEnclosure::apply(bounds::Problem& problem, bounds::Bound bound) const {
       fields_->find_cohesions(list_places(problem, origins, of_strength, points), bound);
   for (std::size_t k = 0; k < of_strength.size(); ++k) {
     const double* values = &cohesions[k * points.size()];
-    set_cohesion(problem, of_strength[k], {values[0], values[1], values[2]});
+    std::array<double, 3> corners = find_corners(values);
+    for (double& c : corners) c = std::max(0.0, c);
+    set_cohesion(problem, of_strength[k], corners);
     enclose_cohesion(problem, of_strength[k], bound, points, values, rounding_);
   }
   if (of_pressure.empty()) return;
@@ -218,7 +228,8 @@ void CaseEnclosure::apply(bounds::Problem& problem, bounds::Bound bound) const {
   for (std::size_t k = 0; k < of_pressure.size(); ++k) {
     const double* values = &pressures[k * points.size()];
     std::array<double, 3>& corners = problem.pore_pressure[of_pressure[k]];
-    for (std::size_t i = 0; i < 3; ++i) corners[i] = std::abs(values[i]) <= rounding_ ? 0 : values[i];
+    corners = find_corners(values);
+    for (double& p : corners) p = std::abs(p) <= rounding_ ? 0 : p;
     enclose_pressure(problem, of_pressure[k], bound, points, values, rounding_);
   }
 }
