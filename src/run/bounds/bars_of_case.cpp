@@ -112,7 +112,10 @@ std::vector<double> BarsOfCase::list_kinks(const Line& line) const {
   };
   std::vector<double> kinks{0};
   const auto add = [&](double s) {
-    if (s - kinks.back() > near * line.length && line.length - s > near * line.length) kinks.push_back(s);
+    // A force that grows within less than that from an end does so over that length: a line from the end to the next
+    // node of the mesh would be far from it.
+    s = std::clamp(s, near * line.length, (1 - near) * line.length);
+    if (s - kinks.back() > 0.5 * near * line.length) kinks.push_back(s);
   };
   bool is_free = line.bar.free_length > 0;
   for (int i = 1; i <= bar_samples; ++i) {
