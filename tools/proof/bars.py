@@ -143,7 +143,7 @@ class Bars:
                 pair = jumps[tuple(sorted((a, b)))]
                 across = max(abs(v @ [-bar.along[1], bar.along[0]]) for v in pair)
                 worst = max(worst, across)
-                # What the first owner's side bears more than the other's is the traction of the bar on the soil.
+                # The traction of the bar on the soil is the difference of what both sides of the edge bear.
                 mean = (pair[0] + pair[1]) @ bar.along / 2
                 pull.append((mean * (high - low), low, high))
                 jumps[tuple(sorted((a, b)))] = [np.zeros(2)]
