@@ -190,11 +190,12 @@ bool BarsOfCase::are_bent(const bounds::Problem& problem) const {
 void BarsOfCase::enclose(bounds::Problem& problem, bounds::Bound bound) const {
   const bool is_lower = bound == bounds::Bound::lower;
   using Place = std::pair<std::size_t, int>;  // bar and node
-  // A force that is zero at an end in the soil stays so: a jump there would be a force on the soil.
-  std::set<Place> ends, inner;
-  for (const bounds::BarEdge& edge : problem.bars) inner.insert({edge.bar, edge.to});
+  // An end in the soil has no force: a jump there would be a force on the soil.
+  std::set<Place> ends, held;
+  for (const bounds::BarEdge& edge : problem.bars) held.insert({edge.bar, edge.to});
+  for (const bounds::BarHead& head : problem.heads) held.insert({head.bar, head.node});
   for (const bounds::BarEdge& edge : problem.bars) {
-    if (edge.force[0] == 0 && !inner.contains({edge.bar, edge.from})) ends.insert({edge.bar, edge.from});
+    if (!held.contains({edge.bar, edge.from})) ends.insert({edge.bar, edge.from});
     if (measure(problem, edge.bar, edge.to) > (1 - at_end_of_bar) * lines_[edge.bar].length)
       ends.insert({edge.bar, edge.to});
   }
