@@ -22,10 +22,10 @@ constexpr int stations = 16;
 /// changes them.
 constexpr double active = 60 * std::numbers::pi / 180, passive = 30 * std::numbers::pi / 180;
 /// Numbers of starts that are optimised, from circles and from blocks.
-constexpr std::size_t circle_starts = 3, block_starts = 3;
+constexpr std::size_t circle_starts = 2, block_starts = 2;
 /// Number of starts that are optimised when surfaces of a similar slope are given.
 constexpr std::size_t starts_beside_known = 2;
-constexpr int shakes = 4;
+constexpr int shakes = 2;
 /// Perturbation of a vertex over the depth of the mass [-].
 constexpr double shake = 0.15;
 /// Two masses with a greater overlap are assumed to lead to the same minimum.

@@ -178,6 +178,27 @@ struct FoundSurfaces {
   std::vector<OptimisedSurface> polylines;            ///< by method; empty if none are searched
 };
 
+/// Searches polylines in the section and in its mirror image and keeps the lower factor of each method: a minimiser
+/// takes another path in each, and a single path can end at a higher minimum.
+std::vector<OptimisedSurface> find_polylines_both_ways(const Slope& slope, const SearchOptions& options,
+                                                       const FoundSurfaces& circles, const SearchResult& trials) {
+  std::vector<OptimisedSurface> polylines = find_polylines(slope, options, circles.circles, trials, circles.minima);
+  // Those of a similar slope were searched in both and are followed in one.
+  if (!options.known.empty()) return polylines;
+  const Reflection mirror(slope.section());
+  std::vector<std::vector<OptimisedSurface>> minima = circles.minima;
+  for (auto& own : minima)
+    for (OptimisedSurface& s : own) s.surface = mirror.reflect(std::move(s.surface));
+  auto others = find_polylines(Slope(mirror.reflect(slope.section())), mirror.reflect(options),
+                               mirror.reflect(circles.circles), trials, minima);
+  for (std::size_t m = 0; m < polylines.size(); ++m)
+    if (others[m].factor < polylines[m].factor) {
+      others[m].surface = mirror.reflect(std::move(others[m].surface));
+      polylines[m] = std::move(others[m]);
+    }
+  return polylines;
+}
+
 /// Also sets the trials, their numbers and the ranges of `result`.
 FoundSurfaces find_surfaces(const Slope& slope, const SearchOptions& options, SearchResult& result) {
   FoundSurfaces found;
@@ -192,7 +213,7 @@ FoundSurfaces find_surfaces(const Slope& slope, const SearchOptions& options, Se
   if (std::all_of(found.minima.begin(), found.minima.end(), [](auto& m) { return m.empty(); }))
     fail_without_surface(options, result);
   if (options.optimise_surface && !options.tangent)
-    found.polylines = find_polylines(slope, options, found.circles, result, found.minima);
+    found.polylines = find_polylines_both_ways(slope, options, found, result);
   return found;
 }
 
