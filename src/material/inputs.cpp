@@ -150,10 +150,10 @@ void describe(input::Visitor& v, BeddingInput& in, const Users& users) {
   v.key("bedding_friction", in.bedding_friction,
         users.need(quantity("deg").at_least(0).below(90)).usual_or_zero(5, 50).example("20"),
         "Friction angle along the bedding.");
-  v.key("bedding_range", in.bedding_range,
-        users.need(quantity("deg").at_least(0).at_most(45)).by_methods({"lem"}).example("0"),
-        "LEM: planes within this angle of the bedding have its strength. 0 is the soil of FEM, limit analysis and MPM; "
-        "polylines are searched along the bedding. A wider range stands for wavy bedding and lowers the factor.");
+  v.key("bedding_range", in.bedding_range, users.allow(quantity("deg").at_least(0).at_most(45)).example("2"),
+        "LEM: planes within this angle of the bedding have its strength. 0 is the soil of FEM, limit analysis and MPM, "
+        "which judges the factors then; polylines are searched along the bedding. A wider range stands for wavy "
+        "bedding and lowers the factor.");
   v.key("bedding_transition", in.bedding_transition, users.allow(quantity("deg").at_least(0).at_most(90)).example("15"),
         "Planes beyond this angle have the strength of the soil itself, and c and tan φ are linear between; if not "
         "given, `bedding_range`.");

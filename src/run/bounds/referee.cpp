@@ -11,6 +11,7 @@
 #include "bounds/find_bounds.hpp"
 #include "input/case/support.hpp"
 #include "run/bounds/problem_of_case.hpp"
+#include "run/common/bedding_lines.hpp"
 
 namespace talus::run {
 namespace {
@@ -30,7 +31,7 @@ std::optional<std::string> find_obstacle(const input::Case& data) {
     if (material.traits().only_slices)
       return fmt::format("the strength of material '{}' ({}) is not one of limit analysis", name,
                          material.traits().title);
-    if (material.model == material::model_of<material::Bedding>)
+    if (has_wide_bedding(material))
       return fmt::format(
           "the bedding of material '{}' has a range of directions in LEM and one direction in limit analysis", name);
   }

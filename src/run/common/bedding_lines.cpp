@@ -112,6 +112,11 @@ bool has_bedding(const input::Case& data) {
                      [&](const auto& region) { return find_planes(data.materials.at(region.second)).has_value(); });
 }
 
+bool has_wide_bedding(const input::Material& soil) {
+  return soil.model == material::model_of<material::Bedding> &&
+         std::max(soil.bedding_range, soil.bedding_transition.value_or(0)) > 0;
+}
+
 mesh::Mesh<2> generate_with_bedding(const input::Case& data, const mesh::Plan& plan, double spacing,
                                     std::vector<std::string>& notes) {
   const auto note = [&](const char* why) {

@@ -15,6 +15,10 @@ namespace talus::run {
 /// Returns true if a soil of the regions has bedding.
 bool has_bedding(const input::Case& data);
 
+/// Returns true if LEM gives the strength of the bedding of a soil to planes of other directions too, as limit analysis
+/// does not.
+bool has_wide_bedding(const input::Material& soil);
+
 /// Returns the mesh of the plan with lines along the bedding of each polygon, through its corners and at most `spacing`
 /// element sizes apart. Where the mesh generator does not cope, as with lines that nearly touch, and in a mesh from a
 /// file there are none, and a sentence is added to `notes`.

@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "input/case/support.hpp"
 #include "results/governing.hpp"
+#include "run/common/bedding_lines.hpp"
 #include "run/common/head.hpp"
 #include "run/common/walls_of_case.hpp"
 #include "run/compare/slip_line.hpp"
@@ -352,7 +353,7 @@ std::optional<std::string> find_judging_obstacle(const input::Case& data) {
             ? ", and the factor divides the forces of passive supports in LEM and limit analysis, not in FEM and MPM"
             : "");
   for (const auto& [region, name] : data.regions)
-    if (input::uses(data, Method::lem) && data.materials.at(name).model == material::model_of<material::Bedding>)
+    if (input::uses(data, Method::lem) && has_wide_bedding(data.materials.at(name)))
       return fmt::format("in LEM the bedding of '{}' has a range of directions, in limit analysis one", name);
   return std::nullopt;
 }
