@@ -17,8 +17,9 @@ namespace talus::run {
 
 namespace {
 
-/// Stored values are rounded to this many parts of a metre, a pascal, and one.
-constexpr double place_digits = 1e6, stress_digits = 10, share_digits = 1e6;
+/// Stored values are rounded to this many parts of a metre, a pascal, and one. Velocities have more digits: those of
+/// small triangles differ little, and the strain rates of the stored mechanism are to prove the bound too.
+constexpr double place_digits = 1e6, stress_digits = 10, share_digits = 1e6, velocity_digits = 1e9;
 
 results::Point round_place(const Vec<2>& x) {
   return {round_to(x[0], place_digits), round_to(x[1], place_digits)};
@@ -57,8 +58,8 @@ results::MovingField make_velocity_result(const bounds::Problem& problem, const 
   for (const Vec<2>& v : field.velocity) fastest = std::max(fastest, norm(v));
   for (std::size_t n = 0; n < field.mesh.nodes.size(); ++n) {
     result.nodes.push_back(round_place(field.mesh.nodes[n]));
-    result.velocity.push_back({round_to(field.velocity[n][0] / fastest, share_digits),
-                               round_to(field.velocity[n][1] / fastest, share_digits)});
+    result.velocity.push_back({round_to(field.velocity[n][0] / fastest, velocity_digits),
+                               round_to(field.velocity[n][1] / fastest, velocity_digits)});
   }
   for (std::size_t e = 0; e < problem.size(); ++e) {
     const auto& t = field.mesh.triangles[e];
