@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace talus::bounds {
 namespace {
@@ -86,6 +87,38 @@ class Enclosure {
 EnvelopePolygons enclose_envelope(const std::function<StrengthTangent(double)>& find_tangent,
                                   const EnvelopeRange& range) {
   return Enclosure(find_tangent, range).run();
+}
+
+namespace {
+
+/// Returns the number of the line that is nearest to the centre of a circle.
+std::size_t find_nearest_line(const Strength& soil, double factor, double mean) {
+  const double divisor = soil.find_divisor(factor);
+  double least = std::numeric_limits<double>::infinity();
+  std::size_t nearest = 0, number = 0;
+  soil.visit_lines([&](double more_cohesion, double tan_friction) {
+    const double distance = (soil.cohesion + more_cohesion - mean * tan_friction) / std::hypot(divisor, tan_friction);
+    if (distance < least) least = distance, nearest = number;
+    ++number;
+  });
+  return nearest;
+}
+
+}  // namespace
+
+void choose_lines(Problem& problem, const Units& units, const std::array<TriedStresses, 2>& tried) {
+  for (std::size_t e = 0; e < problem.size(); ++e) {
+    auto& corners = problem.strength[e];
+    if (!corners[0].further) continue;
+    std::size_t first = std::numeric_limits<std::size_t>::max(), last = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (const TriedStresses& at : tried) {
+        const double mean = (*at.unknowns)[9 * e + 3 * i] * units.stress;
+        const std::size_t nearest = find_nearest_line(corners[i], at.factor, mean);
+        first = std::min(first, nearest), last = std::max(last, nearest);
+      }
+    for (Strength& soil : corners) soil.programmed = {first > 0 ? first - 1 : 0, last + 1};
+  }
 }
 
 }  // namespace talus::bounds

@@ -4,6 +4,7 @@
 // envelope, so that it serves the lower bound; one below the envelope is below every line of the outer one, which
 // serves the upper bound.
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -26,5 +27,15 @@ struct EnvelopePolygons {
 /// tangent at the lowest stress, chords, and a horizontal one above the last chord.
 EnvelopePolygons enclose_envelope(const std::function<StrengthTangent(double)>& find_tangent,
                                   const EnvelopeRange& range);
+
+/// Stresses in the order of the unknowns of a program, and the factor of that program.
+struct TriedStresses {
+  double factor = 1;
+  const std::vector<double>* unknowns = nullptr;  ///< [units of stress]
+};
+
+/// Limits the lines in the programs of each triangle to those that are nearest to Mohr's circles of the stresses, and
+/// one more on either side. Few of the lines of an envelope matter in a triangle, and the cost grows with their number.
+void choose_lines(Problem& problem, const Units& units, const std::array<TriedStresses, 2>& tried);
 
 }  // namespace talus::bounds

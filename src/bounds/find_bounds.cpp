@@ -13,6 +13,7 @@
 
 #include "base/parallel.hpp"
 #include "bounds/conic/solve.hpp"
+#include "bounds/envelope.hpp"
 #include "bounds/program_of.hpp"
 #include "bounds/refine.hpp"
 #include "bounds/support_rows.hpp"
@@ -124,6 +125,34 @@ std::vector<double> find_contributions(const Problem& problem, const Units& unit
   return part;
 }
 
+/// Returns true if the criterion has the same number of rows at every corner.
+bool are_alike(const Problem& lower, const Problem& upper) {
+  for (std::size_t e = 0; e < lower.size(); ++e)
+    for (std::size_t i = 0; i < 3; ++i)
+      if (lower.strength[e][i].count_rows() != upper.strength[e][i].count_rows()) return false;
+  return true;
+}
+
+/// The same where each bound has its own lines of an envelope: the stresses of each program are held to the criterion
+/// of the other one.
+std::vector<double> find_contributions(const Problem& lower, const Problem& upper, const Units& units,
+                                       const Trial& holding, const Trial& moving) {
+  std::vector<double> part(lower.size(), 0);
+  const auto add = [&](const Problem& problem, Bound bound, const Trial& strain, const Trial& stress) {
+    const std::vector<double> slacks = find_slacks(problem, bound, stress.factor, units, stress.solution.x);
+    std::size_t row = strain.solution.z.size(), k = slacks.size();
+    for (std::size_t e = problem.size(); e-- > 0;) {
+      std::size_t rows = 0;
+      for (const Strength& soil : problem.strength[e]) rows += soil.count_rows();
+      for (row -= rows, k -= rows; rows-- > 0;) part[e] += slacks[k + rows] * strain.solution.z[row + rows];
+    }
+    return row;
+  };
+  add(upper, Bound::upper, moving, holding);
+  add_hinges(lower, units, holding.solution, add(lower, Bound::lower, holding, moving), part);
+  return part;
+}
+
 /// Adds the contributions of what the problems of both bounds differ in: the strain rates, by the first row of each
 /// cone, times the differences of cohesion and pore pressure.
 void add_differences(const Problem& lower, const Problem& upper, const Units& units, const ConicSolution& moving,
@@ -132,11 +161,12 @@ void add_differences(const Problem& lower, const Problem& upper, const Units& un
   for (std::size_t e = lower.size(); e-- > 0;)
     for (std::size_t i = 3; i-- > 0;) {
       const Strength& weak = lower.strength[e][i];
-      row -= weak.count_rows();
-      const double difference = std::abs(upper.strength[e][i].cohesion - weak.cohesion) +
-                                std::abs(upper.pore_pressure[e][i] - lower.pore_pressure[e][i]);
+      const Strength& strong = upper.strength[e][i];
+      row -= strong.count_rows();
+      const double difference =
+          std::abs(strong.cohesion - weak.cohesion) + std::abs(upper.pore_pressure[e][i] - lower.pore_pressure[e][i]);
       double rate = 0;
-      for (std::size_t k = 0; k + 2 < weak.count_rows(); k += 3) rate += moving.z[row + k];
+      for (std::size_t k = 0; k + 2 < strong.count_rows(); k += 3) rate += moving.z[row + k];
       part[e] += difference / units.stress * rate;
     }
 }
@@ -206,8 +236,12 @@ class BoundsSearch {
       // The meshes are nested: what a coarser one has proven holds on a finer one too, whatever Newton's step.
       low = std::max(holding.root(), result_.lower), high = std::min(moving.root(), result_.upper);
       opening_.forget();
-      std::vector<double> parts = find_contributions(problem, units_, lower_solution_, moving.last().solution);
+      std::vector<double> parts =
+          !upper_ || are_alike(problem, *upper_)
+              ? find_contributions(problem, units_, lower_trial_.solution, moving.last().solution)
+              : find_contributions(problem, *upper_, units_, lower_trial_, moving.last());
       if (upper_) add_differences(problem, *upper_, units_, moving.last().solution, parts);
+      choose_lines(moving.last());
       const std::vector<bool> marked = mark(parts, is_last ? 1 : limit_refined(holding.root(), moving.root()));
       if (upper_) upper_ = refine(*upper_, marked);
       result_.problem = refine(problem, marked);
@@ -225,6 +259,14 @@ class BoundsSearch {
     if (!evaluate_) return;
     evaluate_(result_.problem, Bound::lower);
     if (upper_) evaluate_(*upper_, Bound::upper);
+  }
+
+  /// Chooses the lines of envelopes in the programs of the next mesh.
+  void choose_lines(const Trial& moving) {
+    const std::array tried{TriedStresses{lower_trial_.factor, &lower_trial_.solution.x},
+                           TriedStresses{moving.factor, &moving.solution.x}};
+    bounds::choose_lines(result_.problem, units_, tried);
+    if (upper_) bounds::choose_lines(*upper_, units_, tried);
   }
 
   /// Runs the programs of both bounds in parallel; they only read the problems.
@@ -269,7 +311,7 @@ class BoundsSearch {
   bool start_lower(FactorSearch& holding, double start) {
     constexpr double inside = 0.01;
     if (!holding.approach(start, rough)) return false;
-    lower_solution_ = holding.last().solution;
+    lower_trial_ = holding.last();
     if (holding.last().factor < holding.root()) return true;
     is_flat_ = holding.try_factor((1 - inside) * holding.root()) &&
                std::abs(holding.last().lack) <= no_lack + holding.last().doubt;
@@ -281,7 +323,7 @@ class BoundsSearch {
   /// the root, and a second trial proves the bound.
   bool approach_lower(FactorSearch& holding, double low, double high) {
     if (!holding.approach(is_flat_ ? high : low, loose)) return false;
-    lower_solution_ = holding.last().solution;
+    lower_trial_ = holding.last();
     if (is_flat_ && holding.last().factor > holding.root()) holding.try_factor((1 - proofs[0]) * holding.root());
     return true;
   }
@@ -362,22 +404,15 @@ class BoundsSearch {
   BoundsResult result_;
   std::optional<Problem> upper_;  ///< on the mesh of `result_.problem`; none: the same strengths and pressures
   Units units_;
-  ConicSolution lower_solution_;  ///< of the trial that gave the root of the lower bound on the current mesh
-  bool is_flat_ = false;          ///< the lack of the lower bound is zero at all stable factors
-  OpeningSearch opening_;         ///< of the current mesh
+  Trial lower_trial_;      ///< that gave the root of the lower bound on the current mesh
+  bool is_flat_ = false;   ///< the lack of the lower bound is zero at all stable factors
+  OpeningSearch opening_;  ///< of the current mesh
 };
 
 }  // namespace
 
 BoundsResult find_bounds(const Problem& problem, const BoundsOptions& options, const BoundsReport& report) {
   return find_bounds(SafeProblems{problem, {}, {}}, options, report);
-}
-
-bool are_alike(const Problem& lower, const Problem& upper) {
-  for (std::size_t e = 0; e < lower.size(); ++e)
-    for (std::size_t i = 0; i < 3; ++i)
-      if (lower.strength[e][i].count_rows() != upper.strength[e][i].count_rows()) return false;
-  return true;
 }
 
 BoundsResult find_bounds(const SafeProblems& problems, const BoundsOptions& options, const BoundsReport& report) {

@@ -101,15 +101,11 @@ BoundsResult find_bounds(const Problem& problem, const BoundsOptions& options, c
 /// Strengths and pore pressures on the safe side of each bound, where those of a section are not linear in a triangle.
 struct SafeProblems {
   Problem lower;
-  std::optional<Problem>
-      upper;  ///< the same mesh, loads, supports and number of lines of the envelopes; none: as `lower`
+  std::optional<Problem> upper;  ///< the same mesh, loads and supports; none: as `lower`
   /// Evaluates the strengths and the pore pressures of a refined problem; empty: they are linear in the triangles of
   /// the first mesh.
   std::function<void(Problem&, Bound)> evaluate;
 };
-
-/// Returns true if the strengths of both problems have the same number of rows, which find_bounds() needs.
-bool are_alike(const Problem& lower, const Problem& upper);
 
 BoundsResult find_bounds(const SafeProblems& problems, const BoundsOptions& options, const BoundsReport& report = {});
 

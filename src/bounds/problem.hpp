@@ -29,6 +29,11 @@ struct FurtherLine {
   double tan_friction = 0;
 };
 
+/// Numbers of the first and the last line of an envelope.
+struct LineRange {
+  std::size_t first = 0, last = std::numeric_limits<std::size_t>::max();
+};
+
 /// Planes of one direction with a strength of their own, which F divides as that of the soil: |τ| ≤ c − σ' tan φ on
 /// them, as on bedding.
 struct WeakPlanes {
@@ -46,19 +51,29 @@ struct Strength {
   bool is_reduced = true;         ///< false: F does not divide the strength
   std::shared_ptr<const std::vector<FurtherLine>> further{};  ///< by falling tan φ; null: the envelope is straight
   std::shared_ptr<const WeakPlanes> planes{};                 ///< the same in all of a triangle; null: none
+  LineRange programmed{};  ///< lines in the cone programs; what proves a bound is held to all lines
 
   /// Returns what the strength is divided by.
   double find_divisor(double factor) const { return is_reduced ? factor : 1; }
   double find_least_friction() const { return further ? further->back().tan_friction : tan_friction; }
   /// Returns the number of rows of its cones: three of a line and of the tension cut-off, two of weak planes.
   std::size_t count_rows() const {
-    return 3 * (1 + (further ? further->size() : 0) + (tension ? 1 : 0)) + (planes ? 2 : 0);
+    const std::size_t last = further ? further->size() : 0;
+    return 3 * (std::min(last, programmed.last) - std::min(last, programmed.first) + 1 + (tension ? 1 : 0)) +
+           (planes ? 2 : 0);
   }
   /// Calls use(more cohesion, tan φ) for every line.
-  void visit_lines(auto use) const {
-    use(0.0, tan_friction);
-    if (further)
-      for (const FurtherLine& line : *further) use(line.more_cohesion, line.tan_friction);
+  void visit_lines(auto use) const { visit(LineRange{}, use); }
+  /// Calls it for those in the programs.
+  void visit_programmed_lines(auto use) const { visit(programmed, use); }
+
+ private:
+  void visit(const LineRange& range, auto use) const {
+    if (!further) return use(0.0, tan_friction);
+    if (range.first == 0) use(0.0, tan_friction);
+    for (std::size_t i = std::max<std::size_t>(1, std::min(range.first, further->size()));
+         i <= std::min(further->size(), range.last); ++i)
+      use((*further)[i - 1].more_cohesion, (*further)[i - 1].tan_friction);
   }
 };
 

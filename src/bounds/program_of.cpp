@@ -50,13 +50,13 @@ struct Cone {
 
 /// Calls use(planes) for every cone of a strength; null but for that of weak planes.
 void visit_rigid(const Strength& soil, auto use) {
-  soil.visit_lines([&](double, double) { use(nullptr); });
+  soil.visit_programmed_lines([&](double, double) { use(nullptr); });
   if (soil.tension) use(nullptr);
   if (soil.planes) use(soil.planes.get());
 }
 
-/// Calls use(triangle, corner, cone) for the cone of every line of the envelope and then for those of the tension
-/// cut-off and of weak planes, if there are any.
+/// Calls use(triangle, corner, cone) for the cone of every programmed line of the envelope and then for those of the
+/// tension cut-off and of weak planes, if there are any.
 void visit_cones(const Problem& problem, double factor, const Units& units, Strengths strengths, auto use) {
   for (std::size_t e = 0; e < problem.size(); ++e) {
     const auto& own = problem.strength[e];
@@ -76,7 +76,7 @@ void visit_cones(const Problem& problem, double factor, const Units& units, Stre
     for (std::size_t i = 0; i < 3; ++i) {
       const double divisor = own[i].find_divisor(factor), rate = own[i].is_reduced ? 1 / factor : 0;
       const double given = find(i, [](const Strength& s) { return s.cohesion; });
-      own[i].visit_lines([&](double more_cohesion, double tan_friction) {
+      own[i].visit_programmed_lines([&](double more_cohesion, double tan_friction) {
         const double cohesion = (given + more_cohesion / units.stress) / divisor;
         const double taken = std::min(cohesion, most), cohesion_rate = cohesion < most ? -cohesion * rate : 0;
         const double tangent = tan_friction / divisor, cosine = 1 / std::hypot(1.0, tangent),
@@ -341,6 +341,25 @@ double find_lack_rate(const Problem& problem, const ConicProgram& program, Bound
                 row += static_cast<std::size_t>(cone.count_rows());
               });
   return rate;
+}
+
+std::vector<double> find_slacks(const Problem& problem, Bound bound, double factor, const Units& units,
+                                const std::vector<double>& unknowns) {
+  std::vector<double> slacks;
+  visit_cones(problem, factor, units, bound == Bound::lower ? Strengths::own : Strengths::weighted,
+              [&](std::size_t e, std::size_t i, const Cone& cone) {
+                const double* stress = &unknowns[9 * e + 3 * i];
+                const Row on = cone.find_normal();
+                const double normal = on[0] * stress[0] + on[1] * stress[1] + on[2] * stress[2];
+                slacks.push_back(cone.available + cone.lacking * unknowns.back() - 2 * cone.mean * normal);
+                if (cone.planes) {
+                  const double angle = 2 * cone.planes->angle;
+                  slacks.push_back(std::cos(angle) * stress[2] - std::sin(angle) * stress[1]);
+                } else {
+                  slacks.insert(slacks.end(), {stress[1], stress[2]});
+                }
+              });
+  return slacks;
 }
 
 ConicProgram make_program(const Problem& problem, Bound bound, double factor, const Units& units) {

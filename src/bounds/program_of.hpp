@@ -34,6 +34,11 @@ double use_room(const ConicProgram& program, double room, ConicSolution& solutio
 double find_lack_rate(const Problem& problem, const ConicProgram& program, Bound bound, double factor,
                       const Units& units, const ConicSolution& solution);
 
+/// Returns what the criterion of every corner leaves of the unknowns of a program of either bound (the first of its
+/// rows in a cone; the others are the shear stresses), in the order of the cones at the end of make_program().
+std::vector<double> find_slacks(const Problem& problem, Bound bound, double factor, const Units& units,
+                                const std::vector<double>& unknowns);
+
 // Conversion of solutions to fields that check() can verify.
 
 /// Returns the stress field of a solution of the lower bound, moved into equilibrium by least squares.

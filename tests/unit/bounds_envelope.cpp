@@ -72,5 +72,36 @@ TEST(BoundsEnvelope, TheFactorOfAStressIsThatOfTheWorstLine) {
   EXPECT_EQ(find_factor(soil, flat), find_factor({25e3, 0.3, {}}, flat));
 }
 
+TEST(BoundsEnvelope, ProgramsHaveTheLinesNextToTheStresses) {
+  std::vector<FurtherLine> further;
+  for (int i = 1; i < 10; ++i) further.push_back({i * i * 1e3, 1 - 0.1 * i});
+  const Strength soil{1e3, 1, {}, true, std::make_shared<const std::vector<FurtherLine>>(further)};
+  Problem problem;
+  problem.triangles = {{0, 1, 2}};
+  problem.strength = {{soil, soil, soil}};
+  // At F = 1 lines i and i + 1 meet at σ'_n = (2i + 1) 10 kPa; the mean stresses are −45 kPa and, at one corner, −65.
+  const std::vector<double> even{-45, 0, 0, -45, 0, 0, -45, 0, 0}, other{-45, 0, 0, -45, 0, 0, -65, 0, 0};
+  choose_lines(problem, {1, 1e3}, {{{1, &even}, {1, &other}}});
+  const auto nearest = [&](double mean) {
+    std::size_t number = 0, least = 0;
+    double distance = 1e300;
+    soil.visit_lines([&](double more, double tangent) {
+      const double own = (soil.cohesion + more - mean * tangent) / std::hypot(1.0, tangent);
+      if (own < distance) distance = own, least = number;
+      ++number;
+    });
+    return least;
+  };
+  ASSERT_GT(nearest(-65e3), nearest(-45e3));
+  std::size_t count = 0;
+  problem.strength[0][1].visit_programmed_lines([&](double, double) { ++count; });
+  EXPECT_EQ(count, nearest(-65e3) - nearest(-45e3) + 3) << "one more on either side";
+  EXPECT_EQ(problem.strength[0][1].count_rows(), 3 * count);
+  EXPECT_EQ(problem.strength[0][1].programmed.first, nearest(-45e3) - 1);
+  // The proof is held to all lines.
+  const Stress deep{-900e3, -900e3, 30e3};
+  EXPECT_EQ(find_factor(problem.strength[0][1], deep), find_factor(soil, deep));
+}
+
 }  // namespace
 }  // namespace talus::bounds

@@ -244,30 +244,13 @@ void check_bounds(const input::Case& data) {
 
 bounds::BoundsResult find_case_bounds(const ProblemOfCase& made, const bounds::BoundsOptions& options,
                                       const bounds::BoundsReport& report) {
-  const auto search = [&](const bounds::Problem& problem, const std::optional<bounds::Problem>& upper,
-                          std::optional<bounds::Bound> only) {
-    bounds::SafeProblems problems{problem, upper, {}};
-    if (made.enclosure || made.bars)
-      problems.evaluate = [&](bounds::Problem& p, bounds::Bound bound) {
-        if (made.enclosure) made.enclosure->apply(p, only.value_or(bound));
-        if (made.bars) made.bars->enclose(p, only.value_or(bound));
-      };
-    return bounds::find_bounds(problems, options, report);
-  };
-  bounds::BoundsResult found;
-  if (!made.stronger || bounds::are_alike(made.problem, *made.stronger)) {
-    found = search(made.problem, made.stronger, {});
-  } else {  // polygons of a curved envelope, of which each bound has its own
-    found = search(made.problem, {}, bounds::Bound::lower);
-    bounds::BoundsResult other = search(*made.stronger, {}, bounds::Bound::upper);
-    found.upper = other.upper;
-    found.no_upper = std::move(other.no_upper);
-    found.velocity_problem = std::move(other.velocity_problem);
-    found.velocity = std::move(other.velocity);
-    found.kinematic_check = other.kinematic_check;
-    for (std::size_t i = 0; i < found.levels.size(); ++i)
-      found.levels[i].upper = i < other.levels.size() ? other.levels[i].upper : other.upper;
-  }
+  bounds::SafeProblems problems{made.problem, made.stronger, {}};
+  if (made.enclosure || made.bars)
+    problems.evaluate = [&](bounds::Problem& p, bounds::Bound bound) {
+      if (made.enclosure) made.enclosure->apply(p, bound);
+      if (made.bars) made.bars->enclose(p, bound);
+    };
+  bounds::BoundsResult found = bounds::find_bounds(problems, options, report);
   hold_to_case(*made.fields, found);
   return found;
 }
