@@ -56,77 +56,6 @@ std::vector<double> sum_outflow(const mesh::Mesh<D>& mesh, const fem::SeepageRes
   return outflow;
 }
 
-double cross(const Point& a, const Point& b, const Point& c) {
-  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-}
-
-/// The line of a section against the elements of a mesh.
-class FlowLine {
- public:
-  explicit FlowLine(const std::vector<Point>& points) : points_(points) {}
-
-  /// Returns true if the point is to the right of the segment next to it.
-  bool is_right(const Point& x) const {
-    const std::size_t i = find_nearest(x);
-    const Point &a = points_[i], &b = points_[i + 1];
-    return cross(a, b, x) < -rounding * measure_square(a, b);
-  }
-
-  /// Returns true if the line meets the triangle, and not only at an end beyond which the triangle lies.
-  bool meets(const std::array<Point, 3>& corners) const {
-    for (std::size_t i = 0; i + 1 < points_.size(); ++i)
-      if (meets(corners, i)) return true;
-    return false;
-  }
-
- private:
-  static constexpr double rounding = 1e-9;
-
-  static double measure_square(const Point& a, const Point& b) {
-    return (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]);
-  }
-  /// Returns the place along a segment next to a point, from 0 to 1 between its ends.
-  double project(std::size_t i, const Point& x) const {
-    const Point &a = points_[i], &b = points_[i + 1];
-    return ((x[0] - a[0]) * (b[0] - a[0]) + (x[1] - a[1]) * (b[1] - a[1])) / measure_square(a, b);
-  }
-  std::size_t find_nearest(const Point& x) const {
-    std::size_t nearest = 0;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
-      const double s = std::clamp(project(i, x), 0.0, 1.0);
-      const Point &a = points_[i], &b = points_[i + 1];
-      const double square = measure_square(x, {a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])});
-      if (square < least) least = square, nearest = i;
-    }
-    return nearest;
-  }
-  /// The range of the segment inside the triangle, by its half planes.
-  bool meets(const std::array<Point, 3>& corners, std::size_t segment) const {
-    const Point &a = points_[segment], &b = points_[segment + 1];
-    double from = 0, to = 1;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Point &p = corners[k], &q = corners[(k + 1) % 3];
-      const double at_a = cross(p, q, a), at_b = cross(p, q, b), near = rounding * measure_square(p, q);
-      if (at_a < -near && at_b < -near) return false;
-      if (std::abs(at_a - at_b) <= near) continue;  // along the side, inside it
-      const double s = at_a / (at_a - at_b);
-      if (at_a < at_b)
-        from = std::max(from, s);
-      else
-        to = std::min(to, s);
-    }
-    if (from > to + rounding) return false;
-    const bool is_first = segment == 0, is_last = segment + 2 == points_.size();
-    const double middle = project(segment, {(corners[0][0] + corners[1][0] + corners[2][0]) / 3,
-                                            (corners[0][1] + corners[1][1] + corners[2][1]) / 3});
-    if (is_first && to <= rounding && middle < 0) return false;
-    return !(is_last && from >= 1 - rounding && middle > 1);
-  }
-
-  const std::vector<Point>& points_;
-};
-
 }  // namespace
 
 template <int D>
@@ -154,29 +83,16 @@ bool FlowMeasures<D>::has_weight(int element) const {
   return soil != nullptr && (soil->slices.unit_weight || soil->grain_density > 0);
 }
 
-/// The discharge through a line is Σ V v·∇w over the elements that the line meets, where w is 0 at nodes to its left
-/// and 1 to its right. It is the flow from nodes to nodes, so a line through the whole soil has that of the boundary
-/// exactly.
 template <int D>
 void FlowMeasures<D>::find_sections() {
-  for (const input::FlowSection& section : site_.data().seepage.sections) {
-    const FlowLine line(section.points);
-    std::vector<FlowPoint>& points = sections_.emplace_back();
-    for (int e = 0; e < mesh_.element_count(); ++e) {
-      if (model_.mesh->element_region[e] == mesh::empty_region) continue;
-      std::array<Point, 3> corners{};
-      for (std::size_t k = 0; k < 3; ++k)
-        for (std::size_t d = 0; d < 2; ++d) corners[k][d] = mesh_.nodes[mesh_.elements[e][k]][d];
-      if (!line.meets(corners)) continue;
-      Vec<D> normal{};
-      for (int k = 0; k <= D; ++k) {
-        if (!line.is_right(corners[static_cast<std::size_t>(k)])) continue;
-        const std::array<double, D> gradient = mesh::find_shape_gradient(mesh_, e, k);
-        for (std::size_t d = 0; d < D; ++d) normal[d] += mesh_.volumes[e] * gradient[d];
-      }
-      points.push_back({e, normal});
+  if constexpr (D == 2) {
+    if (site_.data().seepage.sections.empty()) return;
+    const FlowSections sections(model_);
+    for (const input::FlowSection& section : site_.data().seepage.sections) {
+      sections_.push_back(sections.find_parts(section.points));
+      if (sections_.back().empty())
+        fail_input("[[seepage.section]] '{}' crosses no soil with pore water", section.name);
     }
-    if (points.empty()) fail_input("[[seepage.section]] '{}' crosses no soil with pore water", section.name);
   }
 }
 
@@ -248,8 +164,8 @@ template <int D>
 void FlowMeasures<D>::add_sections(const fem::SeepageResult<D>& state, results::FlowState& result) const {
   for (std::size_t s = 0; s < sections_.size(); ++s) {
     double sum = 0;
-    for (const FlowPoint& p : sections_[s])
-      for (std::size_t d = 0; d < D; ++d) sum += state.velocity[p.element][d] * p.normal[d];
+    for (const FlowPart& p : sections_[s])
+      for (std::size_t d = 0; d < 2; ++d) sum += state.velocity[p.element][d] * p.normal[d];
     result.sections.push_back({site_.data().seepage.sections[s].name, sum});
   }
 }

@@ -9,6 +9,7 @@
 #include "fem/seepage/seepage.hpp"
 #include "mesh/mesh.hpp"
 #include "results/flow.hpp"
+#include "site/flow_section.hpp"
 #include "site/site.hpp"
 
 namespace talus::site {
@@ -28,11 +29,6 @@ class FlowMeasures {
   const std::vector<std::string>& notes() const { return notes_; }
 
  private:
-  /// An element that a section meets, with the normal of the line times its length there.
-  struct FlowPoint {
-    int element = 0;
-    Vec<D> normal{};
-  };
   /// A side at the base of a less permeable layer.
   struct LayerBase {
     int above = 0;  ///< element
@@ -62,7 +58,7 @@ class FlowMeasures {
   const Site& site_;
   const mesh::Mesh<D>& mesh_;
   const fem::SeepageModel<D>& model_;
-  std::vector<std::vector<FlowPoint>> sections_;
+  std::vector<std::vector<FlowPart>> sections_;
   std::vector<LayerBase> bases_;
   std::vector<std::vector<BasePoint>> blocks_;
   bool is_weighed_ = true;  ///< every soil has a weight
