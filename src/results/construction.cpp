@@ -14,7 +14,8 @@ void describe(Visitor& v, ConstructionStep& r) {
   v.key("settlement", r.settlement, {"m", "largest settlement"});
   v.key("heave", r.heave, {"m", "largest heave"});
   v.key("lateral", r.lateral, {"m", "largest horizontal displacement"});
-  v.key("excess", r.excess, {"Pa", "largest pore pressure above that at the start of the stages"});
+  v.key("excess", r.excess,
+        {"Pa", "largest excess pore pressure: above that of steady flow under the conditions of the time"});
 }
 
 void describe(Visitor& v, MeasuredCurve& r) {
@@ -41,7 +42,8 @@ void describe(Visitor& v, ConstructionProfile& r) {
   v.key("displacement_x", r.displacement_x, {"m", "displacement along x", can_be_nan});
   v.key("displacement_y", r.displacement_y, {"m", "displacement along y", can_be_nan});
   v.key("pressure", r.pressure, {"Pa", "pore pressure, compression positive", can_be_nan});
-  v.key("excess", r.excess, {"Pa", "pore pressure above that at the start of the stages", can_be_nan});
+  v.key("excess", r.excess,
+        {"Pa", "excess pore pressure: above that of steady flow under the conditions of the time", can_be_nan});
 }
 
 void describe(Visitor& v, ConstructionLine& r) {
@@ -100,7 +102,8 @@ void describe(Visitor& v, ConstructionFields& r) {
   v.key("displacement_x", r.displacement_x, {"m", "displacement along x, per node"});
   v.key("displacement_y", r.displacement_y, {"m", "displacement along y, per node"});
   v.key("pressure", r.pressure, {"Pa", "pore pressure, compression positive, per node"});
-  v.key("excess", r.excess, {"Pa", "pore pressure above that at the start, per node"});
+  v.key("excess", r.excess,
+        {"Pa", "excess pore pressure per node: above that of steady flow under the conditions of the time"});
   v.key("yields", r.yields, {"", "fraction of an element that has yielded"});
 }
 

@@ -23,7 +23,7 @@ struct ConstructionStep {
   double settlement = 0;  ///< largest, downwards [m]
   double heave = 0;       ///< largest, upwards [m]
   double lateral = 0;     ///< largest horizontal displacement [m]
-  double excess = 0;      ///< largest pore pressure above that at the start of the stages [Pa]
+  double excess = 0;      ///< largest pore pressure above that of steady flow [Pa]
 };
 void describe(Visitor& v, ConstructionStep& r);
 

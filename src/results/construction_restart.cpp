@@ -12,7 +12,7 @@ void describe(Visitor& v, ConstructionRestart& r) {
   v.key("lines", r.lines, {"", "section lines"});
   v.key("times", r.times, {"s", "times of the monitors"});
   v.key("fields", r.fields, {"", "fields at the ends of the stages"});
-  v.key("first_head", r.first_head, {"m", "heads at the start of the stages"});
+  v.key("steady_head", r.steady_head, {"m", "heads of steady flow at the end of the last stage"});
   v.key("start_pressure", r.start_pressure, {"Pa", "pore pressures at the start of the last stage"});
   v.key("head", r.head, {"m", "heads at its end"});
   v.key("displacement", r.displacement, {"m", "displacements"});

@@ -17,7 +17,7 @@ struct ConstructionRestart {
   std::vector<ConstructionLine> lines;
   std::vector<double> times;  ///< of the monitors [s]
   ConstructionFile fields;
-  std::vector<double> first_head;      ///< at the start of the stages [m]
+  std::vector<double> steady_head;     ///< of steady flow at the end of the last stage [m]
   std::vector<double> start_pressure;  ///< nodal pore pressures at the start of the last stage [Pa]
   std::vector<double> head;            ///< at its end [m]
   std::vector<double> displacement, stress, state, strain, bars;  ///< of fem::SolidState, one number after the other

@@ -80,14 +80,16 @@ std::vector<std::array<double, D + 1>> find_corner_stress(const ConsolidationMod
 
 template <int D>
 double find_largest_excess(const ConsolidationModel<D>& model, const std::vector<double>& head,
-                           const std::vector<double>& reference) {
+                           const std::vector<double>& steady) {
   double largest = 0;
   const auto& mesh = *model.flow->mesh;
   for (std::size_t e = 0; e < mesh.elements.size(); ++e)
     if (mesh.element_region[e] != mesh::empty_region)
       for (const int node : mesh.elements[e]) {
         const auto n = static_cast<std::size_t>(node);
-        largest = std::max(largest, model.flow->unit_weight * (head[n] - reference[n]));
+        const double level = mesh.nodes[n][static_cast<std::size_t>(model.flow->up)];
+        largest = std::max(largest, find_excess(model.flow->unit_weight * (head[n] - level),
+                                                model.flow->unit_weight * (steady[n] - level)));
       }
   return largest;
 }

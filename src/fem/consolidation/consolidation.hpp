@@ -121,9 +121,28 @@ template <int D>
 std::vector<std::array<double, D + 1>> find_corner_stress(const ConsolidationModel<D>& model,
                                                           const std::vector<double>& head);
 
-/// Returns the largest pore pressure above `reference` [Pa], compression positive; both are heads per node [m].
+/// Heads of steady flow, from which excess pressures are counted and to which drained stages lead.
+template <int D>
+struct SteadyHeads {
+  std::vector<double> head;  ///< per node [m]
+  bool is_given = true;      ///< the conditions of every body of soil have one steady state
+  bool is_lowered = false;   ///< heads that were kept fell to a face at which water leaves
+};
+
+/// Returns the heads of steady flow with the boundary values at `time` [s]. A body of soil to which no condition gives
+/// a head, and which no water enters, keeps `kept` (heads per node [m]), but none above its lowest face at which water
+/// would leave (T26.9). `guess` (heads per node) may be empty. Throws as solve_steady_seepage().
+template <int D>
+SteadyHeads<D> find_steady_heads(const SeepageModel<D>& flow, const std::vector<double>& kept, double time,
+                                 const std::vector<double>& guess = {});
+
+/// Returns the excess pore pressure [Pa], compression positive as both arguments: the difference from that of steady
+/// flow. Suction that is less than the steady one is no excess.
+double find_excess(double pressure, double steady);
+
+/// Returns the largest excess pore pressure over `steady` [Pa], compression positive; both are heads per node [m].
 template <int D>
 double find_largest_excess(const ConsolidationModel<D>& model, const std::vector<double>& head,
-                           const std::vector<double>& reference);
+                           const std::vector<double>& steady);
 
 }  // namespace talus::fem

@@ -83,16 +83,16 @@ void ConstructionRun::prepare() {
 void ConstructionRun::find_start() {
   show("equilibrium at the start");
   stage_ = make_stage_model(data_, before_stages, mesh_, nullptr);
-  first_head_ = stage_->model.steady_head;
+  steady_head_ = stage_->model.steady_head;
   fem::SolidModel<2> solid = stage_->solid.model;
-  solid.pore_stress = fem::find_corner_stress<2>(stage_->model, first_head_);
+  solid.pore_stress = fem::find_corner_stress<2>(stage_->model, steady_head_);
   const fem::SolidResult<2> found = fem::find_equilibrium<2>(solid, make_solid_options(data_.fem, options_.threads));
   if (!found.converged)
     throw Error(ExitCode::wrong_input,
                 "the section has no equilibrium at the start of its stages of construction: check strengths, pore "
                 "pressures and [[boundary]]");
-  state_ = {found.at, first_head_};
-  record_->set_start(first_head_);
+  state_ = {found.at, steady_head_};
+  record_->set_steady(steady_head_);
   std::fill(state_.solid.displacement.begin(), state_.solid.displacement.end(), Vec<2>{});
   std::fill(state_.solid.strain.begin(), state_.solid.strain.end(), std::array<double, 6>{});
   std::fill(state_.solid.yields.begin(), state_.solid.yields.end(), 0);
@@ -118,7 +118,7 @@ bool ConstructionRun::restore() {
   solid.yields.assign(known->yields.begin(), known->yields.end());
   stage_ = std::move(stage);
   state_ = {std::move(solid), std::move(known->head)};
-  first_head_ = known->first_head;
+  steady_head_ = known->steady_head;
   start_pressure_ = std::move(known->start_pressure);
   summary_ = std::move(known->summary);
   warnings_ = std::move(known->warnings);
@@ -208,21 +208,25 @@ bool ConstructionRun::run_stage(int number) {
   start_pressure_ = find_pressures(*stage_, state_.head);
   std::unique_ptr<StageModel> next =
       make_stage_model(data_, number, mesh_, make_known_water(*stage_->solid.mesh, start_pressure_));
+  SteadyWater steady(*next, steady_head_, result.from, result.to);
   if (next->is_wet && asked.drainage == input::StageDrainage::undrained)
     next->model.drainage = fem::StageDrainage::undrained;
   if (next->is_wet && asked.drainage == input::StageDrainage::drained) {
     next->model.drainage = fem::StageDrainage::drained;
-    next->model.steady_head = fem::solve_steady_seepage<2>(next->flow, {}, {}, result.to).head;
+    next->model.steady_head = steady.find_drained_head();
   }
   fem::ConsolidationState<2> start = fem::carry_state<2>(stage_->model, state_, next->model, next->elevation);
   if (asked.reset_displacement) std::fill(start.solid.displacement.begin(), start.solid.displacement.end(), Vec<2>{});
   const fem::ConsolidationResult<2> found = fem::run_stage<2>(
       next->model, start, make_schedule(number),
       [&](const fem::ConsolidationStep& step, const fem::SolidState<2>& solid, const std::vector<double>& head) {
+        // A table that jumps at the end of a step has its old value up to there.
+        steady_head_ = steady.find_head(step.time - 1e-9 * step.length);
         add_step(*next, step, solid, head, result);
         show(fmt::format("stage '{}', {}", asked.name, units::format_time(step.time)));
         options_.store();
       });
+  add_water_warning(asked, steady);
   result.converged = found.converged;
   result.reached = found.reached;
   result.rejected = found.rejected;
@@ -242,6 +246,12 @@ bool ConstructionRun::run_stage(int number) {
   return found.converged;
 }
 
+/// The pore pressures at the end of a drained stage, and the excess of another one, need a steady flow.
+void ConstructionRun::add_water_warning(const input::ConstructionStage& asked, const SteadyWater& steady) {
+  if (!steady.fault() || asked.drainage != input::StageDrainage::drained) return;
+  warnings_.push_back(fmt::format("stage '{}' is drained, and {}", asked.name, *steady.fault()));
+}
+
 void ConstructionRun::add_step(const StageModel& stage, const fem::ConsolidationStep& step,
                                const fem::SolidState<2>& solid, const std::vector<double>& head,
                                results::ConstructionStage& result) {
@@ -256,7 +266,8 @@ void ConstructionRun::add_step(const StageModel& stage, const fem::Consolidation
     out.heave = std::max(out.heave, u[1]);
     out.lateral = std::max(out.lateral, std::abs(u[0]));
   }
-  if (stage.is_wet) out.excess = fem::find_largest_excess<2>(stage.model, head, first_head_);
+  if (stage.is_wet) out.excess = fem::find_largest_excess<2>(stage.model, head, steady_head_);
+  record_->set_steady(steady_head_);
   record_->add_step(step.time, stage, solid, head);
 }
 
@@ -306,13 +317,17 @@ input::Case ConstructionRun::make_later_case() const {
   return later;
 }
 
-/// Returns true if pore pressures of the construction are left at the end of a stage.
+/// Returns true if excess pore pressures are left at the end of a stage: more than a tenth of the largest so far, and
+/// than a hundredth of the pressure of water as high as the section, below which they are errors of the steps.
 bool ConstructionRun::keeps_excess(const results::ConstructionStage& result) const {
-  constexpr double left_share = 0.1;
+  constexpr double left_fraction = 0.1, least_fraction = 0.01;
+  const auto [low, high] = std::minmax_element(stage_->elevation.begin(), stage_->elevation.end());
+  const double least = least_fraction * stage_->flow.unit_weight * (*high - *low);
   double largest = 0;
   for (const results::ConstructionStage& stage : summary_.stages)
     for (const results::ConstructionStep& step : stage.steps) largest = std::max(largest, step.excess);
-  return stage_->is_wet && !result.steps.empty() && result.steps.back().excess > left_share * largest;
+  return stage_->is_wet && !result.steps.empty() &&
+         result.steps.back().excess > std::max(least, left_fraction * largest);
 }
 
 /// Soil that contracts as it fails takes up pore pressure unless it drains: at the fixed pore pressures of the other

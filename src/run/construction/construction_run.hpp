@@ -13,6 +13,7 @@
 #include "run/common/run_folder.hpp"
 #include "run/construction/stage_model.hpp"
 #include "run/construction/stage_record.hpp"
+#include "run/construction/steady_water.hpp"
 
 namespace talus::run {
 
@@ -43,6 +44,7 @@ class ConstructionRun {
   fem::ConsolidationSchedule make_schedule(int number) const;
   void add_step(const StageModel& stage, const fem::ConsolidationStep& step, const fem::SolidState<2>& solid,
                 const std::vector<double>& head, results::ConstructionStage& result);
+  void add_water_warning(const input::ConstructionStage& asked, const SteadyWater& steady);
   void add_supports(results::ConstructionStage& result) const;
   bool keeps_excess(const results::ConstructionStage& result) const;
   bool add_undrained_factors(const input::Case& later, int number, results::ConstructionStage& result);
@@ -63,7 +65,7 @@ class ConstructionRun {
   std::unique_ptr<StageModel> stage_;   ///< the last one
   fem::ConsolidationState<2> state_;    ///< at its end
   std::vector<double> start_pressure_;  ///< nodal, at its start [Pa]; empty before the first stage
-  std::vector<double> first_head_;      ///< at the start of the stages [m]
+  std::vector<double> steady_head_;     ///< of steady flow at its end [m]; before the first stage those of the start
   std::optional<StageRecord> record_;   ///< from prepare() on
   results::Construction summary_;
   std::vector<std::string> warnings_;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "base/error.hpp"
 #include "mesh/locate.hpp"
@@ -103,8 +104,9 @@ class StageRecord::Reader {
       const auto& corners = record_.mesh_->elements[whole];
       for (std::size_t i = 0; i < 3; ++i) {
         const auto n = static_cast<std::size_t>(corners[i]);
-        values.pressure += l[i] * stage_.flow.unit_weight * (head_[n] - stage_.elevation[n]);
-        values.excess += l[i] * stage_.flow.unit_weight * (head_[n] - record_.first_head_[n]);
+        const auto [pressure, excess] = record_.find_pressures(stage_, head_, n);
+        values.pressure += l[i] * pressure;
+        values.excess += l[i] * excess;
       }
     } else {
       const std::array<double, 3> given = find_given_pressures(stage_, whole);
@@ -165,6 +167,14 @@ StageRecord::Place StageRecord::find_place(const Vec<2>& x) const {
   return place;
 }
 
+/// Returns the pore pressure of a node with water and its excess [Pa].
+std::pair<double, double> StageRecord::find_pressures(const StageModel& stage, const std::vector<double>& head,
+                                                      std::size_t node) const {
+  const double weight = stage.flow.unit_weight, level = stage.elevation[node];
+  const double pressure = weight * (head[node] - level);
+  return {pressure, fem::find_excess(pressure, weight * (steady_head_[node] - level))};
+}
+
 void StageRecord::add_step(double time, const StageModel& stage, const fem::SolidState<2>& solid,
                            const std::vector<double>& head) {
   if (places_.empty()) return;
@@ -203,8 +213,7 @@ void StageRecord::add_stage(const std::string& name, const StageModel& stage, co
     if (reader.holds_water(e))
       for (const int node : mesh_->elements[e]) {
         const auto n = static_cast<std::size_t>(node);
-        fields.pressure[n] = stage.flow.unit_weight * (state.head[n] - stage.elevation[n]);
-        fields.excess[n] = stage.flow.unit_weight * (state.head[n] - first_head_[n]);
+        std::tie(fields.pressure[n], fields.excess[n]) = find_pressures(stage, state.head, n);
       }
   for (std::size_t i = 0; i < mesh_->nodes.size(); ++i) {
     fields.displacement_x.push_back(state.solid.displacement[i][0]);
@@ -236,7 +245,7 @@ std::vector<results::ConstructionMonitor> StageRecord::make_monitors() const {
 }
 
 void StageRecord::keep(results::ConstructionRestart& restart) const {
-  restart.first_head = first_head_;
+  restart.steady_head = steady_head_;
   restart.times = times_;
   restart.monitors = monitors_;
   restart.lines = lines_;
@@ -244,7 +253,7 @@ void StageRecord::keep(results::ConstructionRestart& restart) const {
 }
 
 void StageRecord::restore(results::ConstructionRestart& restart) {
-  first_head_ = restart.first_head;
+  steady_head_ = restart.steady_head;
   times_ = std::move(restart.times);
   monitors_ = std::move(restart.monitors);
   lines_ = std::move(restart.lines);

@@ -21,8 +21,8 @@ class StageRecord {
   /// `whole`: mesh of the section with all regions. Throws Error (wrong_input) for a monitor outside it.
   StageRecord(const input::Case& data, std::shared_ptr<const mesh::Mesh<2>> whole);
 
-  /// Heads from which excess pressures are counted.
-  void set_start(std::vector<double> head) { first_head_ = std::move(head); }
+  /// Heads of steady flow, from which excess pressures are counted until the next ones.
+  void set_steady(const std::vector<double>& head) { steady_head_ = head; }
   /// Adds the monitored places at the end of a step.
   void add_step(double time, const StageModel& stage, const fem::SolidState<2>& solid, const std::vector<double>& head);
   /// Adds fields and section lines at the end of a stage.
@@ -54,10 +54,12 @@ class StageRecord {
   class Reader;
 
   Place find_place(const Vec<2>& x) const;
+  std::pair<double, double> find_pressures(const StageModel& stage, const std::vector<double>& head,
+                                           std::size_t node) const;
 
   const input::Case& data_;
   std::shared_ptr<const mesh::Mesh<2>> mesh_;
-  std::vector<double> first_head_, times_;
+  std::vector<double> steady_head_, times_;
   std::vector<Place> places_;                    ///< of the monitors
   std::vector<std::vector<Place>> line_places_;  ///< of each line
   std::vector<results::ConstructionMonitor> monitors_;

@@ -137,7 +137,7 @@ export function ConstructionSection() {
         ]}
       />
       <p class="chart-note">
-        Dashed lines are the ends of the stages. Excess pressure is pore pressure above that at the start. The error of a step is over the largest change of pore pressure of its
+        Dashed lines are the ends of the stages. Excess pressure is pore pressure above that of steady flow under the conditions of the time. The error of a step is over the largest change of pore pressure of its
         stage. The results of the methods at the end of a stage have a folder of their own, {stages.find((s) => s.folder)?.folder ?? "stage_1"} and so on.
       </p>
     </>
