@@ -48,6 +48,18 @@ TEST(Seepage, NamesItsFaults) {
   expect_water_fault(flow + "seepage.section = [{ name = \"a\", points = [[1, 1], [1, 1]] }]\n",
                      "the same point twice");
   expect_water_fault(flow + "seepage.heave = [{ name = \"a\", x = [3, 1], level = 1 }]\n", "the second must be larger");
+  expect_water_fault(flow + "seepage.section = [{ name = \"a\", points = [[1, 2.1], [3, 2.1]] }]\n",
+                     "'points' of section 'a' cross no soil with pore water");
+  expect_water_fault(flow + "seepage.heave = [{ name = \"a\", x = [3, 5], level = 1 }]\n",
+                     "the base of block 'a' is not in soil with pore water at x = 4.00");
+  EXPECT_TRUE(find_faults(flow + "seepage.section = [{ name = \"a\", points = [[-1, 2], [5, 2]] }]\n" +
+                          "seepage.heave = [{ name = \"a\", x = [0, 4], level = 0 }]\n")
+                  .empty());
+  // Water passes a line in the soil; a wall stops it.
+  const std::string line = "geometry.line = [{ name = \"slab\", points = [[1, 1], [3, 1]] }, ";
+  const std::string closed = "hydraulic = [{ on = \"slab\", condition = \"no_flow\" }, ";
+  expect_water_fault(change(change(flow, "geometry.line = [", line), "hydraulic = [", closed),
+                     "no_flow on 'slab', which lies inside");
   expect_water_fault(flow + "initial = { pore_pressure = \"water_table\", water_table = [[0, 1]] }\n", "nothing flows");
 }
 

@@ -155,8 +155,13 @@ TEST(SeepageFace, LiesOnASurface) {
   expect_fault(change(air, crest, "on = @@\"drain\"\ncondition = \"seepage_face\""), "no soil touches it");
 }
 
-TEST(Flux, MayLieInsideTheSoil) {
-  EXPECT_TRUE(find_faults(change(wet_slope, crest, "on = \"drain\"\ncondition = \"flux\"\nrate = -1")).empty());
+TEST(Hydraulic, LiesOnASurfaceOfSoilWithWater) {
+  // A run refuses these as without effect.
+  for (const char* condition : {"\"total_head\"\nhead = 10", "\"flux\"\nrate = -1", "\"pressure\"\npressure = 1"}) {
+    expect_fault(change(wet_slope, crest, "on = @@\"drain\"\ncondition = " + std::string(condition)),
+                 "on 'drain', which is never a surface of the soil: soil with pore water lies on both");
+    EXPECT_TRUE(find_faults(change(wet_slope, crest, "on = \"crest\"\ncondition = " + std::string(condition))).empty());
+  }
   EXPECT_TRUE(find_faults(change(wet_slope, crest, "on = \"drain\"\ncondition = \"no_flow\"")).empty());
 }
 

@@ -10,8 +10,8 @@
 
 #include "base/numbers.hpp"
 #include "input/case/checks.hpp"
+#include "input/case/soil_plan.hpp"
 #include "input/language/visitor.hpp"
-#include "mesh/planar.hpp"
 
 namespace talus::input {
 
@@ -57,60 +57,6 @@ namespace {
 
 using mesh::Point2;
 
-/// Materials on both sides of a line, from sampling points.
-struct Border {
-  bool meets_air = false;   ///< soil on one side, empty part of the box on the other
-  bool meets_soil = false;  ///< soil on at least one side
-};
-
-class SoilPlan {
- public:
-  explicit SoilPlan(const mesh::Plan& plan) : plan_(plan) {}
-
-  Border look_along(const mesh::Polyline& line) const {
-    constexpr int places = 32;
-    Border border;
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-      const Point2 &a = line[i], &b = line[i + 1];
-      const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
-      if (length == 0) continue;
-      // Corners may deviate by the tolerance of the mesh generator, 1e-6 of an element.
-      const double step = 1e-3 * (plan_.size > 0 ? plan_.size : length);
-      const Point2 across{-(b[1] - a[1]) / length * step, (b[0] - a[0]) / length * step};
-      for (int k = 0; k < places; ++k) {
-        const double share = (k + 0.5) / places;
-        const Point2 x{a[0] + share * (b[0] - a[0]), a[1] + share * (b[1] - a[1])};
-        const Point2 left{x[0] + across[0], x[1] + across[1]}, right{x[0] - across[0], x[1] - across[1]};
-        const bool soil_left = has_soil(left), soil_right = has_soil(right);
-        border.meets_soil |= soil_left || soil_right;
-        border.meets_air |= (soil_left && is_room(right)) || (soil_right && is_room(left));
-      }
-    }
-    return border;
-  }
-
-  /// Returns the levels of the lowest and the highest soil [m].
-  std::pair<double, double> find_levels() const {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    std::pair<double, double> levels{infinity, -infinity};
-    for (const mesh::Polygon& polygon : plan_.polygons)
-      for (const Point2& x : polygon.points) levels = {std::min(levels.first, x[1]), std::max(levels.second, x[1])};
-    return levels;
-  }
-
- private:
-  bool has_soil(const Point2& x) const {
-    return std::any_of(plan_.polygons.begin(), plan_.polygons.end(),
-                       [&](const mesh::Polygon& p) { return mesh::is_inside(x, p.points); });
-  }
-  bool is_room(const Point2& x) const {
-    return !has_soil(x) && x[0] > plan_.box_min[0] && x[0] < plan_.box_max[0] && x[1] > plan_.box_min[1] &&
-           x[1] < plan_.box_max[1];
-  }
-
-  const mesh::Plan& plan_;
-};
-
 /// Returns the soil of the case, and that of each of its stages of construction.
 std::vector<mesh::Plan> list_plans(const Case& data) {
   std::vector<mesh::Plan> plans{data.mesh};
@@ -125,51 +71,93 @@ std::vector<mesh::Plan> list_plans(const Case& data) {
 }
 
 /// Returns what a line borders on in one of the plans at least.
-Border look_along(const std::vector<mesh::Plan>& plans, const mesh::Polyline& line) {
+Border look_along(const Case& data, const std::vector<mesh::Plan>& plans, const mesh::Polyline& line) {
   Border border;
   for (const mesh::Plan& plan : plans) {
-    const Border here = SoilPlan(plan).look_along(line);
-    border.meets_air |= here.meets_air, border.meets_soil |= here.meets_soil;
+    const Border here = SoilPlan(data, plan).look_along(line);
+    border.meets_air |= here.meets_air, border.meets_soil |= here.meets_soil, border.is_surface |= here.is_surface;
+    border.is_within |= here.is_within;
   }
   return border;
 }
 
-const char* name_condition(WaterCondition condition) {
-  return condition == WaterCondition::rain ? "rain" : "a seepage face";
+/// Returns the line or the side of the box of that name; empty for other names, such as a side in 3D.
+mesh::Polyline find_line(const mesh::Plan& plan, const std::string& name) {
+  for (const mesh::Line& line : plan.lines)
+    if (line.name == name) return line.points;
+  const Point2 &low = plan.box_min, &high = plan.box_max;
+  if (name == "bottom") return {low, {high[0], low[1]}};
+  if (name == "right") return {{high[0], low[1]}, high};
+  if (name == "top") return {high, {low[0], high[1]}};
+  if (name == "left") return {{low[0], high[1]}, low};
+  return {};
 }
 
-/// Checks that rain and seepage faces are on a free surface.
-void check_surface(const Hydraulic& hydraulic, const std::vector<mesh::Plan>& plans, const std::string& path,
-                   Findings& findings) {
+const char* name_condition(WaterCondition condition) {
+  switch (condition) {
+    case WaterCondition::total_head:
+      return "a total head";
+    case WaterCondition::pressure:
+      return "a pressure";
+    case WaterCondition::seepage_face:
+      return "a seepage face";
+    case WaterCondition::rain:
+      return "rain";
+    case WaterCondition::flux:
+      return "a flux";
+    case WaterCondition::no_flow:
+      break;
+  }
+  return "no flow";
+}
+
+/// Checks that a condition is on a surface of soil with pore water, rain and seepage faces on a free one. A side of the
+/// box may be one: water may leave through any, but rain enters from above only.
+void check_surface(const Case& data, const Hydraulic& hydraulic, const std::vector<mesh::Plan>& plans,
+                   const std::string& path, Findings& findings) {
   const WaterCondition condition = hydraulic.condition;
-  if (condition != WaterCondition::rain && condition != WaterCondition::seepage_face) return;
   const mesh::Plan& plan = plans.front();
+  const mesh::Polyline line = find_line(plan, hydraulic.on);
+  if (line.empty()) return;
+  const bool knows_water = findings.is_sound("materials") && findings.is_sound("regions");
+  if (condition == WaterCondition::no_flow) {
+    // MPM stops water at lines within the soil, the equations of seepage do not.
+    const Border border = look_along(data, plans, line);
+    if (knows_water && !uses(data, Method::mpm) && border.is_within && !border.is_surface)
+      findings.add(
+          path + ".on",
+          "no_flow on '{}', which lies inside the soil: give a wall with permeable = false, see [support.NAME]",
+          hydraulic.on);
+    return;
+  }
+  const bool is_named =
+      std::any_of(plan.lines.begin(), plan.lines.end(), [&](const mesh::Line& l) { return l.name == hydraulic.on; });
+  const bool is_rain = condition == WaterCondition::rain, is_face = condition == WaterCondition::seepage_face;
   const auto report = [&](const std::string& reason) {
     findings.add(path + ".on", "{} on '{}', which is never a surface of the soil: {}", name_condition(condition),
                  hydraulic.on, reason);
   };
-  for (const mesh::Line& line : plan.lines) {
-    if (line.name != hydraulic.on) continue;
-    const Border border = look_along(plans, line.points);
-    if (!border.meets_soil) return report("no soil touches it");
-    if (!border.meets_air) report("it lies inside the soil or along a side of the box");
+  if (is_rain && !is_named && hydraulic.on != "top") return report("draw a line along the ground and name it");
+  const Border border = look_along(data, plans, line);
+  if (!border.meets_soil) {
+    if (is_named) return report("no soil touches it");
+    if (!is_face) report("the soil does not reach it; draw a line along the ground and name it");
     return;
   }
-  // For a side of the box: water may leave through any side, but rain enters from above only.
-  if (condition != WaterCondition::rain) return;
-  if (hydraulic.on != "top") return report("draw a line along the ground and name it");
-  const Point2 &low = plan.box_min, &high = plan.box_max;
-  if (!look_along(plans, {{low[0], high[1]}, high}).meets_soil)
-    report("the soil does not reach it; draw a line along the ground and name it");
+  if (is_named && (is_rain || is_face) && !border.meets_air)
+    return report("it lies inside the soil or along a side of the box");
+  if (knows_water && !is_face && !border.is_surface)
+    report("soil with pore water lies on both of its sides, or on none of them");
 }
 
-void check_head(const Hydraulic& hydraulic, const mesh::Plan& plan, const std::string& path, Findings& findings) {
+void check_head(const Case& data, const Hydraulic& hydraulic, const std::string& path, Findings& findings) {
+  const mesh::Plan& plan = data.mesh;
   if (hydraulic.condition != WaterCondition::total_head || plan.polygons.empty() || hydraulic.head.value.empty())
     return;
   const auto [least, most] = std::minmax_element(hydraulic.head.value.begin(), hydraulic.head.value.end());
   const double head = *least;
   const ShownUnit& length = plan.units.length;
-  const SoilPlan soil(plan);
+  const SoilPlan soil(data, plan);
   const auto [bottom, crest] = soil.find_levels();
   if (head < bottom)
     findings.add(
@@ -306,8 +294,8 @@ void check_hydraulics(const Case& data, Findings& findings) {
       findings.add(path + ".on", "there are two hydraulic conditions on '{}'", hydraulic.on);
     check_steps(hydraulic, path, findings);
     if (!knows_section || !findings.is_sound(path + ".condition")) continue;
-    if (findings.is_sound(path + ".on")) check_surface(hydraulic, plans, path, findings);
-    if (findings.is_sound(path + ".head")) check_head(hydraulic, data.mesh, path, findings);
+    if (findings.is_sound(path + ".on")) check_surface(data, hydraulic, plans, path, findings);
+    if (findings.is_sound(path + ".head")) check_head(data, hydraulic, path, findings);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "input/case/checks.hpp"
+#include "input/case/soil_plan.hpp"
 #include "input/language/visitor.hpp"
 
 namespace talus::input {
@@ -37,6 +38,14 @@ void describe(Visitor& v, SeepageAnalysis& s) {
 
 namespace {
 
+/// Places on the base of a block, as in site/flow_measures.cpp.
+constexpr int heave_places = 400;
+
+bool knows_soil(const Case& data, const Findings& findings) {
+  return data.mesh.file.empty() && data.mesh.dimension == 2 && findings.is_sound("geometry") &&
+         findings.is_sound("mesh") && findings.is_sound("regions") && findings.is_sound("materials");
+}
+
 void check_plane(const Case& data, Findings& findings) {
   if (data.mesh.dimension == 2) return;
   if (!data.seepage.sections.empty())
@@ -55,6 +64,21 @@ void check_sections(const Case& data, Findings& findings) {
       findings.add(path, "'points' has {} point{}; a line needs two", points.size(), points.size() == 1 ? "" : "s");
     else if (std::adjacent_find(points.begin(), points.end()) != points.end())
       findings.add(path, "'points' has the same point twice in a row");
+    else if (knows_soil(data, findings) && !SoilPlan(data, data.mesh).meets_water(points))
+      findings.add(path, "'points' of section '{}' cross no soil with pore water", data.seepage.sections[i].name);
+  }
+}
+
+/// Checks that the base of a block is in soil with pore water, at as many places as its force is computed at.
+void check_base(const Case& data, const HeaveBlock& block, const std::string& path, Findings& findings) {
+  const SoilPlan soil(data, data.mesh);
+  const ShownUnit& length = data.units().length;
+  for (int i = 0; i < heave_places; ++i) {
+    const double x = block.x[0] + (i + 0.5) * (block.x[1] - block.x[0]) / heave_places;
+    if (soil.has_water_at({x, block.level})) continue;
+    findings.add(path, "the base of block '{}' is not in soil with pore water at x = {}, y = {}", block.name,
+                 format_coordinate(x, length), format_coordinate(block.level, length));
+    return;
   }
 }
 
@@ -67,6 +91,8 @@ void check_blocks(const Case& data, Findings& findings) {
       findings.add(path + ".x", "'x' goes from {} to {}; the second must be larger",
                    format_coordinate(block.x[0], data.units().length),
                    format_coordinate(block.x[1], data.units().length));
+    else if (findings.is_sound(path) && knows_soil(data, findings))
+      check_base(data, block, path, findings);
   }
 }
 
