@@ -173,6 +173,9 @@ void add_water_sides(const PictureSource& source, Picture& picture, std::set<std
       case WaterCondition::seepage_face:
         side = {WaterSideKind::seepage_face, side.line, h.on + ": seepage face"};
         break;
+      case WaterCondition::free_drainage:
+        side = {WaterSideKind::seepage_face, side.line, h.on + ": free drainage"};
+        break;
       case WaterCondition::rain:
         side = {WaterSideKind::rain, side.line,
                 describe_rain(h.on, values.at(time), source.data.units().rain()) + later};

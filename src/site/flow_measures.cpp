@@ -260,7 +260,8 @@ void FlowMeasures<D>::add_exits(const fem::SeepageResult<D>& state, results::Flo
   std::map<int, double> passes;
   std::vector<std::pair<std::string, std::vector<OpenSide<D>>>> open;
   for (const fem::HydraulicBoundary<D>& boundary : model_.boundaries) {
-    if (boundary.kind == fem::HydraulicKind::no_flow) continue;
+    // Free drainage has a gradient of 1 by definition.
+    if (boundary.kind == fem::HydraulicKind::no_flow || boundary.kind == fem::HydraulicKind::free_drainage) continue;
     open.emplace_back(boundary.name, list_open_sides<D>(model_, boundary.sides));
     for (const OpenSide<D>& side : open.back().second)
       for (const int node : side.nodes) passes[node] += side.passes / D;

@@ -150,6 +150,7 @@ mpm::SurfaceCondition make_surface_condition(const input::Hydraulic& h) {
       for (double& p : s.value.value) p = -p;
       break;
     case WaterCondition::seepage_face:
+    case WaterCondition::free_drainage:  // MPM does not have it
       s.kind = mpm::SurfaceKind::seepage;
       break;
     case WaterCondition::rain:
@@ -278,6 +279,8 @@ fem::HydraulicKind to_kind(WaterCondition c) {
       return fem::HydraulicKind::rain;
     case WaterCondition::flux:
       return fem::HydraulicKind::flux;
+    case WaterCondition::free_drainage:
+      return fem::HydraulicKind::free_drainage;
     case WaterCondition::no_flow:
       break;
   }

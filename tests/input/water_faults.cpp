@@ -215,7 +215,7 @@ TEST(Start, FromSeepageNeedsALevel) {
   text = change(text, crest, "on = \"crest\"\ncondition = \"no_flow\"");
   text = change(text, "condition = \"seepage_face\"", "condition = \"rain\"\nrate = 1");
   expect_fault(change(text, "pore_pressure = \"seepage\"", "pore_pressure = @@\"seepage\""),
-               "needs a [[hydraulic]] with condition total_head, pressure or seepage_face");
+               "needs a [[hydraulic]] with condition total_head, pressure, seepage_face or free_drainage");
 }
 
 TEST(Levels, NeedGravityThatActsDownwards) {

@@ -105,6 +105,40 @@ seepage.times = [1, 2]
   }
 }
 
+TEST(SeepageAlone, DrainsFreelyUnderAGradientOfOne) {
+  // Water stands at the ground: q = k and no pressure anywhere. Less rain, q = k exp(−αs), has the suction ln(k/q)/α.
+  const auto run_column = [](const char* ground) {
+    return run(std::string(R"(
+analysis.methods = ["seepage"]
+mesh.size = 0.25
+geometry.polygon = [{ name = "sand", points = [[0, 0], [4, 0], [4, 2], [0, 2]] }]
+geometry.line = [{ name = "ground", points = [[0, 2], [4, 2]] }]
+regions.sand = "sand"
+seepage.section = [{ name = "half", points = [[3, 0.7], [1, 1.3]] }]
+[materials.sand]
+porosity = 0.4
+[materials.sand.water]
+retention = "exponential"
+relative_conductivity = "exponential"
+decay = 0.2
+conductivity = 1e-4
+[[hydraulic]]
+on = "bottom"
+condition = "free_drainage"
+[[hydraulic]]
+on = "top"
+)") + ground);
+  };
+  const nlohmann::json full = run_column("condition = \"total_head\"\nhead = 2\n");
+  EXPECT_NEAR(last_state(full).at("outflow").get<double>(), 4e-4, 1e-10);
+  EXPECT_NEAR(last_state(full).at("sections")[0].at("discharge").get<double>(), -2e-4, 1e-10) << "it flows down";
+  EXPECT_NEAR(full.at("seepage").at("largest_suction").get<double>(), 0, 1);
+  EXPECT_TRUE(last_state(full).at("exits").empty());
+  const nlohmann::json rain = run_column("condition = \"rain\"\nrate = \"2.5e-5 m/s\"\n");
+  EXPECT_NEAR(last_state(rain).at("outflow").get<double>(), 1e-4, 1e-10);
+  EXPECT_NEAR(rain.at("seepage").at("largest_suction").get<double>(), std::log(4.0) / 0.2e-3, 1);
+}
+
 /// One half of a cut-off of depth s in a layer of thickness T: below its tip the head is the mean of both sides.
 nlohmann::json run_cut_off(double s, double thickness, double head) {
   return run(fmt::format(R"(

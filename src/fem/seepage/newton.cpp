@@ -29,8 +29,13 @@ bool SeepageNewton<D>::switch_faces(SeepageState& state, bool balanced) {
   FaceState worst_state = FaceState::none;
   int wet = 0;
   for (FaceState f : state.face) wet += f == FaceState::wet;
-  const bool needs_hold = input_.dt == 0 && std::none_of(conditions_->begin(), conditions_->end(),
-                                                         [](const NodeCondition& c) { return c.fixed; });
+  // Free drainage sets the pressure by the law of k_r, but not in saturated soil.
+  const bool drains =
+      input_.stretch > 0 && std::any_of(system_.model.boundaries.begin(), system_.model.boundaries.end(),
+                                        [](const auto& b) { return b.kind == HydraulicKind::free_drainage; });
+  const bool needs_hold =
+      input_.dt == 0 && !drains &&
+      std::none_of(conditions_->begin(), conditions_->end(), [](const NodeCondition& c) { return c.fixed; });
   const auto change = [&](std::size_t u, FaceState to) {
     if (state.face[u] == FaceState::wet && --wet == 0 && needs_hold) {
       ++wet;

@@ -105,6 +105,8 @@ const char* name_condition(WaterCondition condition) {
       return "rain";
     case WaterCondition::flux:
       return "a flux";
+    case WaterCondition::free_drainage:
+      return "free drainage";
     case WaterCondition::no_flow:
       break;
   }
@@ -150,6 +152,18 @@ void check_surface(const Case& data, const Hydraulic& hydraulic, const std::vect
     report("soil with pore water lies on both of its sides, or on none of them");
 }
 
+/// Checks that free drainage is not asked of MPM, nor of sides that do not face down.
+void check_drainage(const Case& data, const Hydraulic& hydraulic, const std::string& path, Findings& findings) {
+  if (hydraulic.condition != WaterCondition::free_drainage) return;
+  if (uses(data, Method::mpm))
+    findings.add(path + ".condition",
+                 "free drainage is a condition of seepage; MPM has none: give a head or a pressure");
+  for (const char* side : {"left", "right", "top"})
+    if (hydraulic.on == side)
+      findings.add(path + ".on", "free drainage on '{}': it drains through sides that face down, such as 'bottom'",
+                   side);
+}
+
 void check_head(const Case& data, const Hydraulic& hydraulic, const std::string& path, Findings& findings) {
   const mesh::Plan& plan = data.mesh;
   if (hydraulic.condition != WaterCondition::total_head || plan.polygons.empty() || hydraulic.head.value.empty())
@@ -174,7 +188,7 @@ void check_head(const Case& data, const Hydraulic& hydraulic, const std::string&
 
 bool fixes_level(const Hydraulic& hydraulic) {
   return hydraulic.condition == WaterCondition::total_head || hydraulic.condition == WaterCondition::pressure ||
-         hydraulic.condition == WaterCondition::seepage_face;
+         hydraulic.condition == WaterCondition::seepage_face || hydraulic.condition == WaterCondition::free_drainage;
 }
 
 /// Checks that gravity acts along -y, since heads and water tables are levels of y.
@@ -225,8 +239,8 @@ void check_start(const Case& data, Findings& findings) {
   if (start.pressure == InitialPressure::grid) return;
   if (findings.is_sound("hydraulic") && std::none_of(data.hydraulics.begin(), data.hydraulics.end(), fixes_level))
     findings.add("initial.pore_pressure",
-                 "pore_pressure = \"seepage\" needs a [[hydraulic]] with condition total_head, pressure or "
-                 "seepage_face: without one the pressures of a steady flow have no level");
+                 "pore_pressure = \"seepage\" needs a [[hydraulic]] with condition total_head, pressure, "
+                 "seepage_face or free_drainage: without one the pressures of a steady flow have no level");
 }
 
 }  // namespace
@@ -259,7 +273,9 @@ TimeTable Hydraulic::values() const {
         return rate;
     }
   };
-  if (condition == WaterCondition::seepage_face || condition == WaterCondition::no_flow) return {{0.0}, {0.0}};
+  if (condition == WaterCondition::seepage_face || condition == WaterCondition::no_flow ||
+      condition == WaterCondition::free_drainage)
+    return {{0.0}, {0.0}};
   const TimeTable& rows = choose();
   if (series == SeriesShape::linear) return rows;
   TimeTable jumps;
@@ -293,6 +309,7 @@ void check_hydraulics(const Case& data, Findings& findings) {
     if (findings.is_sound(path + ".on") && !sides.insert(hydraulic.on).second)
       findings.add(path + ".on", "there are two hydraulic conditions on '{}'", hydraulic.on);
     check_steps(hydraulic, path, findings);
+    if (findings.is_sound(path + ".condition")) check_drainage(data, hydraulic, path, findings);
     if (!knows_section || !findings.is_sound(path + ".condition")) continue;
     if (findings.is_sound(path + ".on")) check_surface(data, hydraulic, plans, path, findings);
     if (findings.is_sound(path + ".head")) check_head(data, hydraulic, path, findings);

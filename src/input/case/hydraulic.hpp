@@ -21,7 +21,7 @@ inline constexpr auto choices<SeriesShape> = std::array{
     Choice{SeriesShape::steps, "steps", "each value holds until the time of the next row, as in a hyetograph"},
 };
 
-enum class WaterCondition { total_head, pressure, seepage_face, rain, flux, no_flow };
+enum class WaterCondition { total_head, pressure, seepage_face, rain, flux, no_flow, free_drainage };
 enum class RainDirection { vertical, normal };
 
 /// [[hydraulic]]: the condition on a named side or line. Values are series in time; a constant is a single row.
@@ -51,6 +51,8 @@ inline constexpr auto choices<WaterCondition> = std::array{
     Choice{WaterCondition::rain, "rain", "this much is offered; what does not enter runs off. Negative: evaporation"},
     Choice{WaterCondition::flux, "flux", "this much enters whatever the pressure. Negative: it is pumped out"},
     Choice{WaterCondition::no_flow, "no_flow", "no water passes"},
+    Choice{WaterCondition::free_drainage, "free_drainage",
+           "water drains downwards by its weight alone, as above a deep water table: the gradient is 1. Not in MPM"},
 };
 
 template <>

@@ -84,6 +84,8 @@ std::string describe(const input::Hydraulic& h, const std::optional<Shown>& seri
       return value + " enters" + (is_negative ? " (what is negative is pumped out)" : "") + ", whatever the pressure";
     case WaterCondition::no_flow:
       return "no water passes";
+    case WaterCondition::free_drainage:
+      return "water drains downwards by its weight alone, under a gradient of 1";
     case WaterCondition::rain:
       break;
   }

@@ -115,7 +115,7 @@ export interface Water {
 /** What water meets on a side. */
 export interface HydraulicCondition {
   on: string;
-  condition: "total_head" | "pressure" | "seepage_face" | "rain" | "flux" | "no_flow";
+  condition: "total_head" | "pressure" | "seepage_face" | "rain" | "flux" | "no_flow" | "free_drainage";
   title: string;
   /** What happens there, in words. */
   text: string;

@@ -43,6 +43,7 @@ const hydraulicSymbols: { [condition: string]: string } = {
   seepage_face: "M1 12h24M5 11V2M3 5l2-3 2 3M13 11V2M11 5l2-3 2 3M21 11V2M19 5l2-3 2 3",
   flux: "M1 12h24M7 1v10M5 8l2 3 2-3M19 1v10M17 8l2 3 2-3",
   no_flow: "M1 4.5h24M1 8.5h24",
+  free_drainage: "M1 2h24M7 2v10M5 9l2 3 2-3M19 2v10M17 9l2 3 2-3",
 };
 
 /** "total head 10 m": what a condition is in the shown frame. */

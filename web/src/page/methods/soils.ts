@@ -49,6 +49,7 @@ const surfaceLaws: { [word: string]: string } = {
   rain: "no more enters than rains, and what does not enter is counted as runoff",
   flux: "a given flow enters whatever the pressure",
   no_flow: "no water passes",
+  free_drainage: "water drains downwards by its weight alone, under a gradient of 1",
 };
 
 /** How a surface holds back what it may not let in, where the phases have velocities of their own. */
