@@ -193,9 +193,9 @@ std::vector<OpenSide<D>> list_open_sides(const fem::SeepageModel<D>& model,
       const int region = mesh.element_region[s.element];
       if (region == mesh::empty_region) continue;
       const auto [normal, area] = find_outward_normal(mesh, s.element, s.opposite);
-      double across = 0;
-      for (std::size_t d = 0; d < D; ++d)
-        across += model.soils[static_cast<std::size_t>(region)].conductivity[d] * normal[d] * normal[d];
+      const fem::HydraulicSoil<D>& soil = model.soils[static_cast<std::size_t>(region)];
+      double across = 2 * soil.cross_conductivity * normal[0] * normal[1];
+      for (std::size_t d = 0; d < D; ++d) across += soil.conductivity[d] * normal[d] * normal[d];
       open.push_back({nodes, s.element, normal, area * across});
     }
   return open;

@@ -111,8 +111,10 @@ double FlowSections::compute_passing(int element, int opposite) const {
   const Vec<2> along = subtract(mesh.nodes[side[1]], mesh.nodes[side[0]]);
   std::sort(side.begin(), side.end());
   if (!std::binary_search(open_.begin(), open_.end(), side)) return 0;
-  const auto& k = model_.soils[static_cast<std::size_t>(mesh.element_region[element])].conductivity;
-  return (k[0] * along[1] * along[1] + k[1] * along[0] * along[0]) / norm(along);
+  const fem::HydraulicSoil<2>& soil = model_.soils[static_cast<std::size_t>(mesh.element_region[element])];
+  return (soil.conductivity[0] * along[1] * along[1] + soil.conductivity[1] * along[0] * along[0] -
+          2 * soil.cross_conductivity * along[0] * along[1]) /
+         norm(along);
 }
 
 /// A way around a node from the centre of an element, from side to side.

@@ -258,7 +258,13 @@ fem::HydraulicSoil<D> make_soil(const input::Case& data, const std::string& regi
   if (!m.water.is_wet()) return soil;
   soil.porosity = m.porosity;
   // Darcy's k depends on gravity: the pressure gradient per unit of head is proportional to it.
-  soil.conductivity.fill(input::find_saturated_conductivity(m.water, data.water, data.gravity.acceleration));
+  const double along = input::find_saturated_conductivity(m.water, data.water, data.gravity.acceleration);
+  const double across = m.water.conductivity_ratio * along;
+  const double c = std::cos(m.water.conductivity_inclination), s = std::sin(m.water.conductivity_inclination);
+  soil.conductivity.fill(along);  // along z too: bedding strikes along it
+  soil.conductivity[0] = along * c * c + across * s * s;
+  soil.conductivity[1] = along * s * s + across * c * c;
+  soil.cross_conductivity = (along - across) * s * c;
   soil.retention = input::make_retention(m.water);
   const bool in_time = data.timeline || data.initial.water.season > 0 || !data.seepage.times.empty();
   soil.relative = input::make_relative_conductivity(in_time ? input::add_air_entry(m.water) : m.water);

@@ -165,6 +165,23 @@ TEST(Hydraulic, LiesOnASurfaceOfSoilWithWater) {
   EXPECT_TRUE(find_faults(change(wet_slope, crest, "on = \"drain\"\ncondition = \"no_flow\"")).empty());
 }
 
+TEST(Hydraulic, FreeDrainageIsNotOfMpmNorOfSidesThatFaceUp) {
+  expect_wet_fault("on = \"left\"\ncondition = \"total_head\"\nhead = 10",
+                   "on = \"bottom\"\ncondition = @@\"free_drainage\"", "MPM has none");
+  const std::string alone =
+      "analysis.methods = [\"seepage\"]\nmesh.size = 1\nregions.soil = \"sand\"\n"
+      "geometry.polygon = [{ name = \"soil\", points = [[0, 0], [4, 0], [4, 2], [0, 2]] }]\n"
+      "materials.sand = { porosity = 0.4, water = { retention = \"saturated\", conductivity = 1e-4 } }\n"
+      "hydraulic = [{ on = \"top\", condition = \"total_head\", head = 2 }, { on = \"bottom\", condition = "
+      "\"free_drainage\" }]\n";
+  EXPECT_TRUE(find_faults(alone).empty());
+  expect_fault(change(alone, "on = \"bottom\"", "on = @@\"left\""), "it drains through sides that face down");
+}
+
+TEST(Conductivity, IsOneInMpm) {
+  expect_wet_fault("permeability = 6e-11", "permeability = 6e-11\nconductivity_ratio = @@0.1", "MPM has one");
+}
+
 TEST(Hydraulic, HasTheKeysOfItsCondition) {
   expect_wet_fault("condition = \"total_head\"\nhead = 10", "condition = \"total_head\"\nhead = 10\nrate = @@3",
                    "has a meaning only with condition = \"rain\" or \"flux\"");

@@ -93,7 +93,11 @@ void build_shares(SeepageSystem<D>& s) {
       const auto area = find_area_vector<D>(mesh, side, inner);
       const auto up = static_cast<std::size_t>(s.model.up);
       const int soil = mesh.element_region[static_cast<std::size_t>(owner)];
-      const double k = s.model.soils[static_cast<std::size_t>(soil)].conductivity[up];
+      const auto& hydraulic = s.model.soils[static_cast<std::size_t>(soil)];
+      // Outflow at a unit gradient along `up`, K_xy included.
+      double downward = -hydraulic.conductivity[up] * area[up];
+      if (up < 2) downward -= hydraulic.cross_conductivity * area[1 - up];
+      if (!(area[up] < 0)) downward = 0;
       double length = 0;
       for (double a : area) length += a * a;
       for (int node : side) {
@@ -101,7 +105,7 @@ void build_shares(SeepageSystem<D>& s) {
         BoundaryShare& b = share.try_emplace(u, BoundaryShare{u, soil, 0, 0, 0}).first->second;
         b.area += std::sqrt(length) / D;
         b.horizontal += area[up] / D;
-        b.downward += k * std::max(0.0, -area[up]) / D;
+        b.downward += std::max(0.0, downward) / D;
       }
     }
     if (share.empty()) fail_input("The hydraulic boundary \"" + boundary.name + "\" lies on no surface of the soil.");

@@ -205,13 +205,15 @@ void add_fields(const SeepageSystem<D>& system, const SeepageState& state, const
     for (std::size_t k = 0; k <= D; ++k) suction[k] = r.pressure[static_cast<std::size_t>(nodes[k])];
     const double relative = find_mean_conductivity<D>(soil, suction, input).relative;
     r.saturation[e] = find_mean_saturation<D>(soil, suction);
+    std::array<double, D> gradient{};
     for (std::size_t d = 0; d < D; ++d) {
-      double gradient = 0;
       for (std::size_t k = 1; k <= D; ++k)
-        gradient += mesh.gradients[e][(k - 1) * D + d] *
-                    (r.head[static_cast<std::size_t>(nodes[k])] - r.head[static_cast<std::size_t>(nodes[0])]);
-      r.velocity[e][d] = -soil.conductivity[d] * relative * gradient;
+        gradient[d] += mesh.gradients[e][(k - 1) * D + d] *
+                       (r.head[static_cast<std::size_t>(nodes[k])] - r.head[static_cast<std::size_t>(nodes[0])]);
+      r.velocity[e][d] = -soil.conductivity[d] * relative * gradient[d];
     }
+    r.velocity[e][0] -= soil.cross_conductivity * relative * gradient[1];
+    r.velocity[e][1] -= soil.cross_conductivity * relative * gradient[0];
   }
   add_exits(system, state.face, r);
   if constexpr (D == 2) r.water_table = find_water_table(mesh, r.pressure);

@@ -22,6 +22,10 @@ void check_soil(const HydraulicSoil<D>& soil, const ShownUnits& units) {
     if (!(k > 0 && std::isfinite(k)))
       fail_input("{} has a hydraulic conductivity of {}; it must be above 0.", who, format_value(k, units.speed()));
   }
+  if (!(soil.cross_conductivity * soil.cross_conductivity < soil.conductivity[0] * soil.conductivity[1]))
+    fail_input(
+        "{} has a conductivity of {} between its axes; its square must be below the product of those along them.", who,
+        format_value(soil.cross_conductivity, units.speed()));
   if (!(soil.water_modulus > 0))
     fail_input("{} has a bulk modulus of water of {:g} Pa; it must be above 0.", who, soil.water_modulus);
   if (!(soil.skeleton_compressibility >= 0))

@@ -22,11 +22,12 @@ template <int D>
 struct HydraulicSoil {
   std::string name;
   double porosity = 0;                 ///< n [-]
-  std::array<double, D> conductivity;  ///< saturated, along the axes [m/s]
+  std::array<double, D> conductivity;  ///< saturated, K_xx, K_yy (and K_zz) [m/s]
   material::Retention retention = material::ConstantSaturation{};
   material::Conductivity relative = material::ConstantConductivity{};
   double water_modulus = std::numeric_limits<double>::infinity();  ///< K_w [Pa]
   double skeleton_compressibility = 0;                             ///< m_v = 1/E_c, where saturated [1/Pa]
+  double cross_conductivity = 0;                                   ///< K_xy, of axes inclined in the plane x–y [m/s]
 };
 
 template <int D>

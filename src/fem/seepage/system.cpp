@@ -285,6 +285,12 @@ NodalSums sum_over_elements(const SeepageSystem<D>& system, const std::vector<do
         magnitude += k * std::abs(shape[i][d] * gradient[d]);
         diagonal += k * shape[i][d] * shape[i][d];
       }
+      if (soil.cross_conductivity != 0) {
+        const double k = mesh.volumes[e] * soil.cross_conductivity;
+        flow[i] += k * (shape[i][0] * gradient[1] + shape[i][1] * gradient[0]);
+        magnitude += std::abs(k) * (std::abs(shape[i][0] * gradient[1]) + std::abs(shape[i][1] * gradient[0]));
+        diagonal += 2 * k * shape[i][0] * shape[i][1];
+      }
       sums.outflow[u[i]] += conductivity.relative * flow[i];
       sums.weight[u[i]] += conductivity.relative * diagonal;
       sums.rounding += conductivity.relative * (magnitude + diagonal * std::abs(head[u[i]]));
@@ -296,6 +302,7 @@ NodalSums sum_over_elements(const SeepageSystem<D>& system, const std::vector<do
       for (std::size_t i = 0; i < n; ++i) {
         double a = 0;
         for (std::size_t d = 0; d < D; ++d) a += soil.conductivity[d] * shape[i][d] * shape[j][d];
+        a += soil.cross_conductivity * (shape[i][0] * shape[j][1] + shape[i][1] * shape[j][0]);
         sums.jacobian[static_cast<std::size_t>(system.slots[q][i * n + j])] +=
             conductivity.relative * mesh.volumes[e] * a + d_relative * flow[i];
       }

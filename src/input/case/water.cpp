@@ -94,6 +94,12 @@ void describe(Visitor& v, PoreWater& w) {
             .allowed_unless("retention", w.retention, R::dry)
             .example("6e-11"),
         "Intrinsic permeability instead; the conductivity is density · gravity · permeability/viscosity.");
+  v.key("conductivity_ratio", w.conductivity_ratio,
+        plain().above(0).usual(1e-3, 10).allowed_unless("retention", w.retention, R::dry).example("0.1"),
+        "Conductivity across the bedding over that along it, which is `conductivity`. In seepage, not in MPM.");
+  v.key("conductivity_inclination", w.conductivity_inclination,
+        quantity("deg").at_least(-90).at_most(90).allowed_unless("retention", w.retention, R::dry).example("15"),
+        "Inclination of the bedding of `conductivity_ratio`, positive where it rises along x.");
   v.key("compressibility", w.compressibility,
         quantity("kPa-1")
             .at_least(0)
@@ -294,6 +300,12 @@ void check_water(const Case& data, Findings& findings) {
     check_limits(soil);
     check_curves(soil);
     check_conductivity(soil);
+    if (material.water.conductivity_ratio != 1 && uses(data, Method::mpm) && soil.is_sound("conductivity_ratio"))
+      soil.report(
+          "conductivity_ratio",
+          "material '{}' has different conductivities along and across its bedding; MPM has one: leave it out, or "
+          "\"mpm\" out of 'methods'",
+          name);
     check_porosity(soil);
     warn_of_air_entry(data, soil);
   }

@@ -36,6 +36,8 @@ struct PoreWater {
   std::vector<std::array<double, 2>> retention_table;  ///< suction [Pa], saturation [-]
   std::optional<double> conductivity;                  ///< saturated k [m/s]; or
   std::optional<double> permeability;                  ///< intrinsic κ [m²]
+  double conductivity_ratio = 1;                       ///< k across bedding over k along it [-]
+  double conductivity_inclination = 0;                 ///< of bedding, positive where it rises along x [rad]
   double compressibility = 0;                          ///< m_v of the skeleton, for seepage in rigid soil [1/Pa]
   ConductivityCurve relative_conductivity = ConductivityCurve::constant;
   SaturationShare measure = SaturationShare::total;       ///< X of (4.16), (4.17)

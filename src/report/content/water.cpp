@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "base/numbers.hpp"
 #include "input/case/hydraulic.hpp"
@@ -192,6 +193,11 @@ json list_parameters(const input::PoreWater& soil, const ShownUnits& units, doub
     add("decay", "decay with suction", "α", {"1/" + stress.name, 1 / stress.si}, soil.decay);
   if (soil.permeability) add("permeability", "intrinsic permeability", "κ", {"m²", 1}, *soil.permeability);
   if (conductivity > 0) add("conductivity", "conductivity, saturated", "k_s", speed, conductivity);
+  if (soil.conductivity_ratio != 1) {
+    add("conductivity_ratio", "conductivity across bedding over that along it", "r_k", share, soil.conductivity_ratio);
+    add("conductivity_inclination", "inclination of this bedding", "β", {"°", std::numbers::pi / 180},
+        soil.conductivity_inclination);
+  }
   if (relative == K::hillel) add("exponent", "exponent of the conductivity", "r", share, soil.exponent);
   if (soil.air_entry.value_or(0) > 0)
     add("air_entry", "suction from which the conductivity falls", "s_a", stress, *soil.air_entry);
