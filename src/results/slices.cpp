@@ -75,6 +75,7 @@ void describe(Visitor& v, SupportForce& r) {
   v.key("distance", r.distance, {"m", "distance of the crossing from the head"});
   v.key("resistance", r.resistance, {"N/m", "resistance of the bar there, per metre of slope"});
   v.key("force", r.force, {"N/m", "force on the sliding mass, per metre of slope"});
+  v.maybe("required", r.required, {"N/m", "force that equilibrium would require, where the factor is below 1"});
   v.key("direction", r.direction, {"", "unit vector of that force"});
   v.key("tension", r.tension, {"N/m", "tensile strength"});
   v.key("pull_out", r.pull_out, {"N/m", "pull-out resistance behind the surface"});

@@ -91,8 +91,9 @@ struct SupportForce {
   Point head{}, end{}, crossing{};  ///< [m]
   double distance = 0;              ///< of the crossing from the head [m]
   double resistance = 0;            ///< [N/m]
-  double force = 0;                 ///< on the sliding mass: the resistance, divided by the factor if passive [N/m]
-  Point direction{};                ///< of the force on the sliding mass
+  double force = 0;  ///< on the sliding mass: the resistance, divided by a factor above 1 if passive [N/m]
+  std::optional<double> required;  ///< force of a passive support for equilibrium at a factor below 1 [N/m]
+  Point direction{};               ///< of the force on the sliding mass
   std::optional<double> tension, pull_out, stripping;  ///< limits; nullopt: none [N/m]
   SupportLimit limit = SupportLimit::tension;          ///< the least of them
 };

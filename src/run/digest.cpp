@@ -110,9 +110,10 @@ std::string write_supports(const results::RunResult& run) {
   if (!surface || !surface->found->supports) return text;
   const ShownUnits units = read_units(run);
   for (const results::SupportForce& f : *surface->found->supports)
-    text += fmt::format("  {} row {}: crossed {} from its head, force {:.4g} kN/m of {:.4g} kN/m, {}\n", f.support,
+    text += fmt::format("  {} row {}: crossed {} from its head, force {:.4g} kN/m of {:.4g} kN/m, {}{}\n", f.support,
                         f.row, format_value(f.distance, units.length, 3), f.force / 1e3, f.resistance / 1e3,
-                        results::get_title(f.limit));
+                        results::get_title(f.limit),
+                        f.required ? fmt::format("; {:.4g} kN/m required", *f.required / 1e3) : "");
   return text;
 }
 

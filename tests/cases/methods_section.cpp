@@ -219,5 +219,42 @@ TEST(MethodsGround, ACircleMadeIntoASlipLineKeepsItsFactor) {
   EXPECT_LT(run::find_mean_distance(line, surface->line), 0.1);
 }
 
+TEST_F(MethodsTest, APassiveForceIsAtMostTheResistance) {
+  const std::string nails = R"([lem]
+methods = ["spencer"]
+search = "none"
+referee = false
+yield_acceleration = false
+[[lem.surface]]
+name = "circle"
+centre = [30, 35]
+radius = 31
+[support.nails]
+kind = "nail"
+heads = [[16, 13], [20, 11]]
+inclination = 10
+length = 14
+out_of_plane_spacing = 1.5
+tensile_strength = 30
+plate = 30
+bond = 40
+sense = "passive"
+)";
+  for (const double friction : {12, 38}) {
+    const json summary =
+        run(write_case("\"lem\"", nails), {{"materials.sand.friction_angle", fmt::format("{}", friction)}});
+    const json& surface = summary.at("lem").at("given").at(0);
+    const double factor = surface.at("factor");
+    EXPECT_EQ(factor < 1, friction < 20) << factor;
+    ASSERT_EQ(surface.at("supports").size(), 2u);
+    for (const json& nail : surface.at("supports")) {
+      const double resistance = nail.at("resistance"), force = nail.at("force");
+      EXPECT_NEAR(force, resistance / std::max(1.0, factor), 1e-9 * resistance);
+      ASSERT_EQ(nail.contains("required"), factor < 1);
+      if (factor < 1) EXPECT_NEAR(nail.at("required").get<double>(), resistance / factor, 1e-9 * resistance);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace talus

@@ -61,7 +61,13 @@ std::vector<results::SupportForce> list_supports(const lem::Slope& slope, const 
     out.crossing = pull.at;
     out.distance = pull.distance;
     out.resistance = pull.resistance;
-    out.force = bar.is_active ? pull.resistance : factor > 0 ? pull.resistance / factor : 0;
+    out.force = pull.resistance;
+    // Below F = 1 the equations have R/F, more than the bar can bear.
+    if (!bar.is_active && factor > 0) {
+      const double required = pull.resistance / factor;
+      if (required > pull.resistance) out.required = required;
+      out.force = std::min(required, pull.resistance);
+    }
     out.direction = pull.direction;
     const auto set = [](std::optional<double>& limit, double value) {
       if (std::isfinite(value)) limit = value;

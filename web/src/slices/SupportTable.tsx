@@ -48,6 +48,7 @@ export function SupportTable({ surface }: { surface: SlicedSurface }) {
       </figure>
     );
   const { length } = report.value.units;
+  const fails = supports.some((s) => s.required !== undefined);
   const column = (name: string, unit: string | undefined, read: (s: SupportForce) => number | string | null) => ({
     name,
     unit,
@@ -66,6 +67,7 @@ export function SupportTable({ surface }: { surface: SlicedSurface }) {
             column("y", "m", (s) => s.crossing[1] ?? null),
             column("force", "N/m", (s) => s.force),
             column("resistance", "N/m", (s) => s.resistance),
+            column("required", "N/m", (s) => s.required ?? null),
             column("tension", "N/m", (s) => s.tension),
             column("pull_out", "N/m", (s) => s.pull_out),
             column("stripping", "N/m", (s) => s.stripping),
@@ -90,6 +92,7 @@ export function SupportTable({ surface }: { surface: SlicedSurface }) {
       />
       <p class="chart-note">
         Per metre of slope. F divides the resistance of passive supports, and not that of active ones, which are loads.
+        {fails && " At F below 1 equilibrium would require more than the resistance (column required of the CSV file)."}
       </p>
       <IdleNote idle={idle} />
     </figure>
