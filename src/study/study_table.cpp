@@ -17,6 +17,7 @@
 #include "output/plots/curve_plot.hpp"
 #include "output/plots/gnuplot.hpp"
 #include "results/json.hpp"
+#include "results/named.hpp"
 #include "run/common/head.hpp"
 #include "run/mpm/record/motion.hpp"
 #include "study/back_analysis_text.hpp"
@@ -90,6 +91,8 @@ struct FactorColumn {
   const char *name, *title;
 };
 constexpr FactorColumn governing_factor{"main_factor", "governing"};
+/// F of a set with a resistance factor is compared with γ_R;e, so that only this ratio is comparable between sets.
+constexpr FactorColumn over_design{"partial_factors.over_design", "over-design factor F/γ_R"};
 constexpr FactorColumn slice_factors[] = {{"lem.fellenius", "Fellenius"},
                                           {"lem.bishop", "Bishop"},
                                           {"lem.janbu", "Janbu"},
@@ -103,6 +106,8 @@ constexpr FactorColumn slice_factors[] = {{"lem.fellenius", "Fellenius"},
                                           {"lem.modified_swedish", "Modified Swedish"},
                                           {"lem.noncircular.spencer", "Spencer, non-circular"},
                                           {"lem.noncircular.morgenstern_price", "Morgenstern–Price, non-circular"}};
+/// Results that repeat the factor of another one.
+constexpr const char* repeated_factors[] = {governing_factor.name, "lem.factor"};
 constexpr FactorColumn element_factors[] = {{"fem.factor", "finite elements"},
                                             {"fem.by_displacement", "finite elements, displacement"},
                                             {"fem.associated.factor", "finite elements, ψ = φ"}};
@@ -144,9 +149,33 @@ class Columns {
     if (table.size() > count) table.back().by = title;
   }
 
+  /// Adds a column for every governing factor that no other column has, such as that of a surface of the case.
+  void add_missing_factors() {
+    constexpr int plane = 2;  // factors have no unit
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      if (!rows_[i].result) continue;
+      const auto main = run::find_result(*rows_[i].result, governing_factor.name);
+      if (!main || has_factor(i, write_shortest(*main))) continue;
+      for (const results::NamedValue& value : results::list_values(*rows_[i].result, plane)) {
+        const bool repeats = std::find(std::begin(repeated_factors), std::end(repeated_factors), value.name) !=
+                             std::end(repeated_factors);
+        if (value.kind != results::ResultKind::factor || repeats || value.value != *main) continue;
+        add_factor(value.title, value.name, ColumnKind::other);
+        break;
+      }
+    }
+  }
+
   std::vector<StudyColumn> table;
 
  private:
+  /// Returns true if a factor other than the governing one has this number in row `i`.
+  bool has_factor(std::size_t i, const std::string& number) const {
+    return std::any_of(table.begin(), table.end(), [&](const StudyColumn& column) {
+      return !column.by.empty() && column.kind != ColumnKind::governing && column.cells[i].full == number;
+    });
+  }
+
   const std::vector<StudyRow>& rows_;
 };
 
@@ -207,10 +236,13 @@ std::vector<StudyColumn> make_study_table(const StudyPlan& plan, const std::vect
     columns.add(fmt::format("displacement at SRF {:g}", f), plan.summary.units.displacement, "{:.4g}", true,
                 [f](const RunResult& r) { return get_displacement(r, f); });
   columns.add_factor(governing_factor.title, governing_factor.name, ColumnKind::governing);
+  columns.add(over_design.title, "", "{:.3f}", false,
+              [](const RunResult& r) { return run::find_result(r, over_design.name); });
   for (const char* criterion : {"frozen", "bilinear", "displacement", "jump"})
     columns.add_factor(criterion, std::string("factor_of_safety.") + criterion);
   for (const FactorColumn& f : slice_factors) columns.add_factor(f.title, f.name, ColumnKind::other);
   for (const FactorColumn& f : element_factors) columns.add_factor(f.title, f.name);
+  columns.add_missing_factors();
   for (const double f : list_runout_factors(rows))
     columns.add(
         fmt::format("front advance at SRF {:g}", f), plan.summary.units.length, "{:.3g}", false,
@@ -245,6 +277,7 @@ std::vector<StudyColumn> make_study_table(const StudyPlan& plan, const std::vect
 
 std::string find_result_column(const std::string& name) {
   if (name == governing_factor.name) return name_factor_column(governing_factor.title);
+  if (name == over_design.name) return over_design.title;
   for (const auto& list :
        {std::span<const FactorColumn>(slice_factors), std::span<const FactorColumn>(element_factors)})
     for (const FactorColumn& f : list)

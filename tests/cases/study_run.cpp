@@ -182,5 +182,28 @@ TEST(Study, ListsRunoutsForCasesWithoutStrengthReduction) {
   for (const results::StudyColumn& c : table) EXPECT_EQ(c.name.find("FoS"), std::string::npos);
 }
 
+/// Sets with a resistance factor are comparable by F/γ_R alone, and a factor that governs stands under its own method.
+TEST(Study, OfPartialFactorsListsTheRatioToTheResistanceFactor) {
+  const std::string text =
+      support::write_slope("dry", {"analysis.methods=['lem']", "lem.methods=['janbu_corrected', 'corps_1']",
+                                   "lem.search=none", "lem.referee=false", "lem.yield_acceleration=false"}) +
+      "[[lem.surface]]\nname = \"arc\"\ncentre = [30, 35]\nradius = 31\n"
+      "[partial_factors]\nset = \"DA2\"\n"
+      "[study]\n[[study.vary]]\nkey = \"partial_factors.set\"\nvalues = [\"AASHTO-0.65\", \"none\"]\n";
+  const StudyPlan plan = plan_text(text);
+  const auto table = make_study_table(plan, run_study(plan, write_to(make_test_folder())));
+  const results::StudyColumn factor = get_column(table, "FoS, governing"),
+                             ratio = get_column(table, "over-design factor F/γ_R");
+  ASSERT_EQ(factor.cells.size(), 3u);
+  const auto read = [](const results::StudyCell& cell) { return std::stod(cell.full); };
+  EXPECT_NEAR(read(ratio.cells[0]), read(factor.cells[0]) / 1.1, 1e-12);
+  EXPECT_NEAR(read(ratio.cells[1]), read(factor.cells[1]) * 0.65, 1e-12);
+  EXPECT_TRUE(ratio.cells[2].full.empty());
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_TRUE(std::any_of(table.begin(), table.end(), [&](const results::StudyColumn& c) {
+      return c.name != factor.name && c.cells[i].full == factor.cells[i].full;
+    })) << i;
+}
+
 }  // namespace
 }  // namespace talus::study
