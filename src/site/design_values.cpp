@@ -129,6 +129,8 @@ DesignValues apply_partial_factors(const input::Case& data) {
   const input::PartialFactorValues given = input::find_partial_factors(data.partial_factors);
   if (!given.is_active()) return result;
   result.resistance = given.resistance;
+  // F/γ_R;e below the target is failure.
+  if (result.data.timeline) result.data.timeline->target *= given.resistance;
   const input::PartialFactorValues v = input::divide_by_permanent(given);
   results::DesignStatement& out = result.statement.emplace();
   for (auto& [name, m] : result.data.materials) factor_soil(name, m, v, out.materials);
@@ -162,6 +164,11 @@ DesignValues apply_partial_factors(const input::Case& data) {
   if (std::string supports = describe_supports(of_supports); !supports.empty())
     out.notes.push_back(std::move(supports));
   out.materials.insert(out.materials.end(), of_supports.begin(), of_supports.end());
+  if (data.timeline && given.resistance != 1)
+    out.notes.push_back(
+        fmt::format("The slope fails in time where its factor falls below the target {:g} times the resistance factor "
+                    "γ_R;e = {:g}.",
+                    data.timeline->target, given.resistance));
   if (!data.surcharges.empty())
     out.notes.push_back(
         "All surcharges are taken as unfavourable. Remove variable surcharges that stabilise the slope from the case.");

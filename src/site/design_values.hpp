@@ -18,7 +18,8 @@ struct DesignValues {
 
 /// Applies the partial factors: c'/γ_c', tanφ'/γ_φ', c_u/γ_cu where φ = 0, weights over γ_γ, loads by γ_G and γ_Q. γ_G
 /// applies to soil, water and permanent loads alike, so that all quantities in kPa are divided by it instead
-/// (input::divide_by_permanent). Throws Error (wrong_input) for a soil without cohesion and friction angle.
+/// (input::divide_by_permanent). The target of a timeline is multiplied by γ_R;e. Throws Error (wrong_input) for a soil
+/// without cohesion and friction angle.
 DesignValues apply_partial_factors(const input::Case& data);
 
 /// Returns a warning if partial factors on actions are combined with an earthquake, whose design situation has none;

@@ -285,5 +285,14 @@ TEST(DesignValues, ASoilWithoutFrictionAngleIsRefusedByName) {
   }
 }
 
+TEST(DesignValues, FailureInTimeIsJudgedByTheResistanceFactor) {
+  input::Case data = read("[partial_factors]\nset = \"DA2\"\n");
+  data.timeline.emplace().target = 1.2;
+  EXPECT_NEAR(apply_partial_factors(data).data.timeline->target, 1.2 * 1.1, 1e-12) << "F/1.1 < 1.2";
+  data = read("[partial_factors]\nset = \"DA1-2\"\n");
+  data.timeline.emplace().target = 1.2;
+  EXPECT_EQ(apply_partial_factors(data).data.timeline->target, 1.2);
+}
+
 }  // namespace
 }  // namespace talus::site
