@@ -142,8 +142,8 @@ void check_case(const CheckOptions& options, const std::vector<input::Override>&
     input::check_against_result(loaded, run::EndState(loaded.data.initial).input());
   if (loaded.is_whole) {
     run::check_ready_mesh(loaded);
-    run::check_methods(loaded.data);
     run::refuse_above_memory(loaded);
+    run::check_methods(loaded.data);
   }
   const std::vector<std::string> lines = run::list_warnings(loaded);
   for (const std::string& line : lines) print(stderr, line + "\n");

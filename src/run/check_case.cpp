@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "run/check_case.hpp"
 
+#include <cmath>
 #include <filesystem>
 #include <set>
 
@@ -8,12 +9,17 @@
 #include "run/bounds/problem_of_case.hpp"
 #include "run/common/mesh_estimate.hpp"
 #include "run/common/section_of_case.hpp"
+#include "run/common/wall_checks.hpp"
 #include "run/construction/stage_model.hpp"
+#include "run/construction/stage_record.hpp"
 #include "run/fem/solid_of_case.hpp"
 #include "run/lem/run_lem.hpp"
 #include "site/design_values.hpp"
+#include "site/flow_measures.hpp"
 #include "site/ground_load.hpp"
 #include "site/initial_water.hpp"
+#include "site/season.hpp"
+#include "site/seepage_model.hpp"
 #include "site/site.hpp"
 
 namespace talus::run {
@@ -76,12 +82,34 @@ void check_ready_mesh(const input::LoadedCase& loaded) {
 
 namespace {
 
-/// Checks the section of every stage, and that something bears it.
-void check_stages(const input::Case& data) {
+/// Returns the element size for which a section has about `most_checked` elements, `size` if it has fewer [m]. Faults
+/// of a section show on a coarse mesh, which takes a moment.
+double find_checked_size(const mesh::Plan& plan, double size) {
+  constexpr double most_checked = 4000;
+  const double count = count_elements(mesh::resize(plan, size)).soil;
+  return count > most_checked ? size * std::sqrt(count / most_checked) : size;
+}
+
+/// Checks the section of every stage and the places of monitors, and that something bears the section.
+void check_stages(input::Case data) {
+  data.fem.size = find_checked_size(data.mesh, data.fem.size.value_or(data.mesh.size));
   std::vector<std::string> notes;
   const auto mesh = make_whole_mesh(data, notes);
+  const StageRecord record(data, mesh);
   for (int k = before_stages; k < static_cast<int>(data.construction.size()); ++k)
     make_stage_model(data, k, mesh, nullptr);
+}
+
+/// Checks the sections and blocks of a seepage analysis on a coarse mesh.
+void check_flow(input::Case data) {
+  const bool is_plane = data.mesh.dimension == 2 && data.mesh.file.empty();
+  if (!is_plane || (data.seepage.sections.empty() && data.seepage.blocks.empty())) return;
+  data.mesh = mesh::resize(data.mesh, find_checked_size(data.mesh, data.mesh.size));
+  const site::Site site(site::close_sides(data));
+  const mesh::Mesh<2> mesh = generate_for_seepage<2>(site);
+  mesh::Mesh<2> wet_mesh;
+  const fem::SeepageModel<2> model = site::make_seepage_model<2>(site.data(), mesh, wet_mesh);
+  const site::FlowMeasures<2> measures(site, mesh, model);
 }
 
 }  // namespace
@@ -96,7 +124,11 @@ void check_methods(const input::Case& data) {
   const bool compares_levels = is_meshed && data.lem.drawdown && data.initial.water.season == 0;
   const site::Site site(data);
   if (input::uses(data, Method::lem) && (compares_levels || !site::needs_seepage(data))) prepare_slope(site);
-  if (input::uses(data, Method::fem) || asks_for_elements(data)) check_solid(site);
+  if (input::uses(data, Method::fem) || asks_for_elements(data)) {
+    check_solid(site);
+    if (site.has_ground()) check_struts(site);
+  }
+  if (input::uses(data, Method::seepage) && is_meshed) check_flow(data);
   if (input::uses(data, Method::mpm)) check_ground(site);
   if (!input::uses(data, Method::bounds)) return;
   check_bounds(data);

@@ -23,8 +23,8 @@ json list_faults(const std::string& text, const std::string& name) {
   const MessageWriter writer(text, found.sketch);
   try {
     run::check_ready_mesh(*found.loaded);
-    run::check_methods(found.loaded->data);
     run::refuse_above_memory(*found.loaded);
+    run::check_methods(found.loaded->data);
   } catch (const InputError& error) {
     for (const Diagnostic& fault : error.diagnostics()) writer.add("error", fault, messages);
   } catch (const Error& error) {

@@ -15,6 +15,7 @@
 #include "mesh/split.hpp"
 #include "run/common/bars_of_case.hpp"
 #include "run/common/head.hpp"
+#include "run/common/wall_checks.hpp"
 #include "site/ground_load.hpp"
 #include "site/seepage_model.hpp"
 #include "site/supports.hpp"
@@ -154,6 +155,7 @@ std::vector<WallLine> list_walls(const site::Site& site) {
     if (!goes_on) walls.push_back({bar.support, bar.row, {head}});
     walls.back().points.push_back(end);
   }
+  check_walls(site, walls);
   return walls;
 }
 

@@ -19,7 +19,7 @@ struct WallLine {
   site::Polyline points;  ///< [m]
 };
 
-/// Returns the walls of a case in the order of their names. Throws as site::list_bars().
+/// Returns the walls of a case in the order of their names. Throws as site::list_bars() and check_walls().
 std::vector<WallLine> list_walls(const site::Site& site);
 
 /// Returns the index of the wall on which a point lies, within 1e-3 of the width of the section.
