@@ -244,5 +244,11 @@ TEST(Compare, ListsTheResultsOfEachMethod) {
   EXPECT_EQ(std::count(names.begin(), names.end(), "lem.handed[fem.band].spencer"), 0) << "nobody hands it over";
 }
 
+TEST(UnitWeight, IsNoMassWithoutGravity) {
+  const std::string still = change(slope, "grain_density = 2500", "unit_weight = @@20");
+  expect_fault(still + "[gravity]\nacceleration = 0\n",
+               "without gravity the unit weight of material 'sand' gives no mass");
+}
+
 }  // namespace
 }  // namespace talus::input
