@@ -16,6 +16,8 @@ void describe(Visitor& v, ConstructionStep& r) {
   v.key("lateral", r.lateral, {"m", "largest horizontal displacement"});
   v.key("excess", r.excess,
         {"Pa", "largest excess pore pressure: above that of steady flow under the conditions of the time"});
+  v.maybe("least_excess", r.least_excess,
+          {"Pa", "least pore pressure minus that of steady flow under the conditions of the time, zero or negative"});
 }
 
 void describe(Visitor& v, MeasuredCurve& r) {

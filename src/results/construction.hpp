@@ -20,10 +20,11 @@ struct ConstructionStep {
   double error = 0;     ///< estimate of its error over the largest change of pore pressure [-]
   double residual = 0;  ///< out-of-balance force over the loads [-]
   int iterations = 0;
-  double settlement = 0;  ///< largest, downwards [m]
-  double heave = 0;       ///< largest, upwards [m]
-  double lateral = 0;     ///< largest horizontal displacement [m]
-  double excess = 0;      ///< largest pore pressure above that of steady flow [Pa]
+  double settlement = 0;               ///< largest, downwards [m]
+  double heave = 0;                    ///< largest, upwards [m]
+  double lateral = 0;                  ///< largest horizontal displacement [m]
+  double excess = 0;                   ///< largest pore pressure above that of steady flow [Pa]
+  std::optional<double> least_excess;  ///< least pore pressure over that of steady flow, ≤ 0 [Pa]; nullopt: dry
 };
 void describe(Visitor& v, ConstructionStep& r);
 

@@ -171,6 +171,8 @@ class Values {
       add(ResultKind::motion, name("heave"), "largest heave" + at, "m", "heave", last.heave);
       add(ResultKind::motion, name("lateral"), "largest horizontal displacement" + at, "m", "lateral", last.lateral);
       add(ResultKind::water, name("excess"), "largest excess pore pressure" + at, "Pa", "excess", last.excess);
+      add(ResultKind::water, name("least_excess"), "least excess pore pressure" + at, "Pa", "least_excess",
+          last.least_excess);
       add_release(stage, name, at);
     }
     for (const ConstructionMonitor& monitor : construction.monitors) add_misfits(monitor);

@@ -305,19 +305,22 @@ std::string write_timeline(const results::Timeline& t, const Units& in) {
   return text;
 }
 
-/// Writes the larger one of settlement and heave.
-std::string write_largest_vertical(const results::ConstructionStep& step, const Units& in) {
-  return step.heave > step.settlement ? "heave " + in.write_displacement(step.heave)
-                                      : in.write_displacement(step.settlement);
+/// Formats the excess pore pressures of a step: the largest or, of a cut, the least one, whichever is further from
+/// zero.
+std::string write_excess(const results::ConstructionStep& step, const Units& in) {
+  constexpr double noticeable = 1;  // [Pa]; less is the rounding of the solver
+  const double least = step.least_excess.value_or(0);
+  if (std::max(-least, step.excess) < noticeable) return in.write_stress(0);
+  return in.write_stress(-least > step.excess ? least : step.excess);
 }
 
 std::string write_construction(const results::Construction& c, const Units& in) {
-  std::string text = "  Stage                    End         Settlement       Excess pressure   Factor\n";
+  std::string text = "  Stage                    End         Settlement   Heave        Excess pressure   Factor\n";
   for (const results::ConstructionStage& stage : c.stages) {
     text += "  " + pad(stage.name, 25) + pad(units::format_time(stage.to), 12);
     if (!stage.steps.empty())
-      text +=
-          pad(write_largest_vertical(stage.steps.back(), in), 17) + pad(in.write_stress(stage.steps.back().excess), 18);
+      text += pad(in.write_displacement(stage.steps.back().settlement), 13) +
+              pad(in.write_displacement(stage.steps.back().heave), 13) + pad(write_excess(stage.steps.back(), in), 18);
     for (const results::StageFactor& factor : stage.factors)
       text += factor.factor ? fmt::format("{:.3f} ({}) ", *factor.factor, factor.title)
                             : fmt::format("none ({}) ", factor.title);

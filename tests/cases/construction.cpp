@@ -440,5 +440,75 @@ TEST_F(ConstructionRuns, SoilThatFailsInAStageMovesByMpm) {
   EXPECT_LT(calm.at("release").at("largest_displacement").get<double>(), 0.02);
 }
 
+/// Terzaghi's layer of 6 m, drained at its top: at T = 0.1 a degree of 0.3568, and 0.9493 of the pressure at its base.
+TEST_F(ConstructionRuns, ElasticSoilConsolidatesWithoutAFactor) {
+  const json summary = run(R"(
+geometry.polygon = [{ name = "clay", points = [[0, 0], [1, 0], [1, 6], [0, 6]] }]
+geometry.line = [{ name = "ground", points = [[0, 6], [1, 6]] }]
+mesh.size = 0.5
+regions.clay = "clay"
+initial = { stress = "k0", pore_pressure = "water_table", water_table = [[0, 6], [1, 6]] }
+hydraulic = [{ on = "ground", condition = "total_head", head = 6 }]
+surcharge = [{ name = "fill", x = [0, 1], load = [20, 20] }]
+analysis.methods = ["fem"]
+output.monitor = [{ name = "top", at = [0.5, 6] }, { name = "base", at = [0.5, 0] }]
+[materials.clay]
+model = "linear_elastic"
+grain_density = 2700
+porosity = 0.5
+young_modulus = 3000
+poisson_ratio = 0.3
+water = { retention = "saturated", conductivity = 1e-9 }
+[[construction]]
+name = "fill"
+duration = 0
+add = ["fill"]
+factor = false
+[[construction]]
+name = "pause"
+duration = 101.2146
+factor = false
+[[construction]]
+name = "end"
+duration = 10000
+factor = false
+)");
+  const json& stages = summary.at("construction").at("stages");
+  const double end = 20.0 * 6 / (3000 * 0.7 / (1.3 * 0.4));
+  const auto& half = stages.at(1).at("steps").back();
+  EXPECT_NEAR(half.at("settlement").get<double>(), 0.3568 * end, 0.01 * end);
+  EXPECT_NEAR(half.at("excess").get<double>(), 0.9493 * 20e3, 200);
+  EXPECT_NEAR(stages.at(2).at("steps").back().at("settlement").get<double>(), end, 0.002 * end);
+  EXPECT_TRUE(stages.at(2).at("factors").empty());
+}
+
+/// A wide cut that fills with water: the pore pressure falls at once by the buoyant weight of what is removed.
+TEST_F(ConstructionRuns, ACutHeavesAndHasSuction) {
+  const json summary = run(R"(
+geometry.polygon = [{ name = "soil", points = [[0, 0], [2, 0], [2, 6], [0, 6]] },
+                    { name = "dug", points = [[0, 6], [2, 6], [2, 9], [0, 9]] }]
+mesh.size = 1
+regions = { soil = "soil", dug = "soil" }
+initial = { stress = "k0", k0 = 0.5, pore_pressure = "water_table", water_table = [[0, 9], [2, 9]] }
+analysis.methods = ["fem"]
+[materials.soil]
+model = "linear_elastic"
+unit_weight = 20
+porosity = 0.4
+young_modulus = 12000
+poisson_ratio = 0.25
+water = { retention = "saturated", conductivity = 1e-12 }
+[[construction]]
+name = "dig"
+duration = 0
+remove = ["dug"]
+factor = false
+)");
+  const auto& step = summary.at("construction").at("stages").at(0).at("steps").back();
+  const double buoyant = 3 * (20e3 - 9810);
+  EXPECT_NEAR(step.at("least_excess").get<double>(), -buoyant, 0.005 * buoyant);
+  EXPECT_EQ(step.at("excess"), 0);
+}
+
 }  // namespace
 }  // namespace talus

@@ -303,7 +303,7 @@ results::Construction outline_construction(const Case& data) {
     results::ConstructionStage& stage = construction.stages.emplace_back();
     stage.name = asked.name;
     stage.converged = true;
-    stage.steps.emplace_back();
+    stage.steps.emplace_back().least_excess = 0;
     if (asked.factor)
       for (const Method method : data.methods)
         if (method != Method::mpm)

@@ -266,7 +266,10 @@ void ConstructionRun::add_step(const StageModel& stage, const fem::Consolidation
     out.heave = std::max(out.heave, u[1]);
     out.lateral = std::max(out.lateral, std::abs(u[0]));
   }
-  if (stage.is_wet) out.excess = fem::find_largest_excess<2>(stage.model, head, steady_head_);
+  if (stage.is_wet) {
+    out.excess = fem::find_largest_excess<2>(stage.model, head, steady_head_);
+    out.least_excess = -fem::find_largest_excess<2>(stage.model, steady_head_, head);
+  }
   record_->set_steady(steady_head_);
   record_->add_step(step.time, stage, solid, head);
 }

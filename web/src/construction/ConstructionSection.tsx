@@ -12,7 +12,7 @@ import { ChartTable } from "../page/DataTable";
 import { formatFactor, formatNumber, formatQuantity } from "../page/format";
 import { report } from "../state";
 import { LinesOfStages, MonitorsInTime, SupportsOfStages } from "./ConstructionPlaces";
-import { chooseTimeUnit, listFactors, listSteps } from "./construction";
+import { chooseTimeUnit, findFurthestExcess, listFactors, listSteps } from "./construction";
 import { Curves } from "./Curves";
 
 /** The factors of all methods at the ends of the stages. */
@@ -77,7 +77,7 @@ export function ConstructionSection() {
   const time = chooseTimeUnit(stages.at(-1)?.to ?? 0);
   const ends = stages.map(({ to }) => to / time.si);
   const times = steps.map((s) => s.time);
-  const isWet = steps.some(({ excess }) => excess > 0);
+  const isWet = steps.some(({ excess, least_excess }) => excess > 0 || (least_excess ?? 0) < 0);
   const monitorTimes = times.slice(1);
   return (
     <>
@@ -97,13 +97,16 @@ export function ConstructionSection() {
       />
       {isWet && (
         <Curves
-          title="Largest excess pressure"
+          title="Excess pressure"
           unit={units.stress}
           along="Time"
           at={times}
           atUnit={time}
           marks={ends}
-          curves={[{ title: "excess pressure", values: steps.map((s) => s.excess) }]}
+          curves={[
+            { title: "largest", values: steps.map((s) => s.excess) },
+            { title: "least", values: steps.map((s) => s.least_excess ?? 0) },
+          ]}
         />
       )}
       <MonitorsInTime construction={construction} time={time} times={monitorTimes} ends={ends} isWet={isWet} />
@@ -118,7 +121,8 @@ export function ConstructionSection() {
           ["Adds", (s) => s.added.join(", ") || "–"],
           ["Removes", (s) => s.removed.join(", ") || "–"],
           ["Settlement", (s) => formatQuantity(s.steps.at(-1)?.settlement, units.displacement, 3), "number"],
-          isWet && ["Excess pressure", (s) => formatQuantity(s.steps.at(-1)?.excess, units.stress, 3), "number"],
+          ["Heave", (s) => formatQuantity(s.steps.at(-1)?.heave, units.displacement, 3), "number"],
+          isWet && ["Excess pressure", (s) => formatQuantity(findFurthestExcess(s.steps.at(-1)), units.stress, 3), "number"],
           [
             "Factor",
             (s) =>

@@ -15,6 +15,15 @@ export interface StepPoint {
   heave: number;
   lateral: number;
   excess: number;
+  /** Zero or negative; absent without pore water. */
+  least_excess?: number;
+}
+
+/** The largest excess pore pressure or, of a cut, the least one, whichever is further from zero [Pa]. */
+export function findFurthestExcess(step?: Pick<StepPoint, "excess" | "least_excess">): number | undefined {
+  if (!step) return undefined;
+  const least = step.least_excess ?? 0;
+  return -least > step.excess ? least : step.excess;
 }
 
 /** All steps in order of time, from the start without movement on [s, m, Pa]. */
