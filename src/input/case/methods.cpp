@@ -216,6 +216,10 @@ void check_columns(const Case& data, Findings& findings) {
 
 void check_has_strength(const Case& data, Findings& findings) {
   if (!findings.is_sound("materials") || data.materials.empty()) return;
+  // Stages without a factor compute stress and flow alone.
+  if (!data.construction.empty() && std::none_of(data.construction.begin(), data.construction.end(),
+                                                 [](const ConstructionStage& stage) { return stage.factor; }))
+    return;
   if (std::none_of(data.materials.begin(), data.materials.end(), [](const auto& entry) {
         return entry.second.traits().strength == material::Strength::known && entry.second.reduced;
       }))
