@@ -57,6 +57,7 @@ void add_calibrate(CLI::App& app) {
   command.take("--threads", options->run.options.threads, "Threads to use (default: all cores)").positive(most_threads);
   command.take("--pictures", options->run.pictures, "Format of the pictures of the tests (default: svg)")
       .one_of({"svg", "png"});
+  command.flag("--resume", options->run.resume, "Continue an interrupted search in the same folder");
   command.flag("--no-report", options->no_report, "Write no report.html (talus report writes it later)");
   command.flag("-q,--quiet", options->quiet, "Print errors only");
   command.act([options] { calibrate(*options); });

@@ -414,16 +414,20 @@ struct BestPlaces {
 };
 
 std::string describe_interruption(const CalibrationModel& model, const input::Calibration& calibration,
-                                  const BestPlaces& best) {
-  if (best.places.empty()) return "interrupted before any set of parameters was compared; nothing is written";
+                                  const BestPlaces& best, const EvaluationStore* store) {
+  const std::string kept = store == nullptr || store->size() == 0
+                               ? ""
+                               : fmt::format("; {} evaluations are in '{}', from which --resume continues",
+                                             store->size(), store->file().string());
+  if (best.places.empty())
+    return "interrupted before any set of parameters was compared" + (kept.empty() ? "; nothing is written" : kept);
   std::string starts;
   for (std::size_t i = 0; i < best.places.size(); ++i)
     starts += fmt::format(" --set calibration.parameter.{}.start={}", i,
                           write_shortest(model.find_value(i, best.places[i]) / calibration.parameters[i].factor));
   return fmt::format(
-      "interrupted; nothing is written. To continue from the best parameters so far (misfit {:.4g}, at the start "
-      "{:.4g}), add{}",
-      best.misfit, best.first_misfit, starts);
+      "interrupted{}. To begin anew from the best parameters so far (misfit {:.4g}, at the start {:.4g}), add{}",
+      kept.empty() ? "; nothing is written" : kept, best.misfit, best.first_misfit, starts);
 }
 
 results::Calibration search_parameters(const input::Case& data, const CalibrationModel& model,
@@ -479,13 +483,13 @@ results::Calibration search_parameters(const input::Case& data, const Calibratio
 }  // namespace
 
 results::Calibration calibrate(const input::Case& data, const CalibrationOptions& options, std::string* log) {
-  const CalibrationModel model(data);
+  const CalibrationModel model(data, options.store);
   BestPlaces best;
   try {
     return search_parameters(data, model, options, best, log);
   } catch (const Error& error) {
     if (error.code() != ExitCode::interrupted) throw;
-    throw Error(ExitCode::interrupted, describe_interruption(model, *data.calibration, best));
+    throw Error(ExitCode::interrupted, describe_interruption(model, *data.calibration, best, options.store));
   }
 }
 

@@ -55,6 +55,7 @@ Certainty find_certainty(const CalibrationModel& model, const std::vector<double
 struct CalibrationOptions {
   int threads = default_threads();  ///< results do not depend on it
   Progress* progress = nullptr;
+  EvaluationStore* store = nullptr;  ///< of the evaluations; nullptr: an interruption loses them
 };
 
 /// Fits the parameters of data.calibration. Parameters are in the units of the soils and curves in SI; display values,
@@ -71,6 +72,7 @@ struct CalibrationRun {
   std::vector<input::Override> overrides;  ///< with which `loaded` was read
   CalibrationOptions options;
   std::string pictures = "svg";  ///< of the element tests: "svg" or "png"
+  bool resume = false;           ///< use the evaluations of an interrupted search in folder/calibration
 };
 
 /// Calibrates, and writes into folder/calibration: parameters.csv, correlation.csv, curves.csv, solver.txt, and
@@ -79,6 +81,7 @@ struct CalibrationRun {
 /// Returns the content of calibration.json. Throws Error (wrong_input) if the case has no calibration, what
 /// calibrate() throws, Error (folder_exists) where the stages would replace a run, and Error (cannot_write); a folder
 /// that cannot be used is refused before the search. What ends the tests or the stages leaves folder/calibration.
+/// Every evaluation is stored in folder/calibration/evaluations.jsonl as it is made.
 results::Calibration run_calibration(const input::LoadedCase& loaded, const CalibrationRun& run);
 
 /// Formats a short summary for the terminal.

@@ -104,7 +104,8 @@ std::string find_fault(const std::string& name, const input::Material& soil) {
 
 }  // namespace
 
-CalibrationModel::CalibrationModel(const input::Case& data) : data_(data), calibration_(*data.calibration) {
+CalibrationModel::CalibrationModel(const input::Case& data, EvaluationStore* store)
+    : data_(data), calibration_(*data.calibration), store_(store) {
   for (const input::MeasuredCurve& curve : calibration_.curves) {
     if (std::find(tests_.begin(), tests_.end(), curve.test_number) == tests_.end()) tests_.push_back(curve.test_number);
     legs_.push_back(find_legs(data.tests[curve.test_number], curve.points));
@@ -245,17 +246,36 @@ std::string CalibrationModel::compare_stages(const std::vector<double>& places, 
   return "";
 }
 
-std::optional<Comparison> CalibrationModel::compare(const std::vector<double>& places, std::string* why,
-                                                    bool with_lines) const {
+std::optional<Comparison> CalibrationModel::evaluate(const std::vector<double>& places, std::string& fault,
+                                                     bool with_lines) const {
   Comparison result;
   result.residuals.reserve(value_count_);
-  std::string fault = compare_tests(places, with_lines, result);
+  fault = compare_tests(places, with_lines, result);
   if (fault.empty()) fault = compare_stages(places, with_lines, result);
   for (const double r : result.residuals)
     if (fault.empty() && !std::isfinite(r)) fault = "a test gives a value that is not finite";
   if (fault.empty()) return result;
-  if (why != nullptr) *why = fault;
   return std::nullopt;
+}
+
+std::optional<Comparison> CalibrationModel::compare(const std::vector<double>& places, std::string* why,
+                                                    bool with_lines) const {
+  std::optional<Comparison> result;
+  std::string fault;
+  if (store_ != nullptr && !with_lines) {
+    if (std::optional<Evaluation> known = store_->find(places)) {
+      fault = std::move(known->fault);
+      if (fault.empty()) result.emplace().residuals = std::move(known->residuals);
+      runs_ += static_cast<long>(tests_.size()) + (calibration_.monitors.empty() ? 0 : 1);
+    } else {
+      result = evaluate(places, fault, false);
+      store_->add(places, {result ? result->residuals : std::vector<double>{}, fault});
+    }
+  } else {
+    result = evaluate(places, fault, with_lines);
+  }
+  if (!result && why != nullptr) *why = fault;
+  return result;
 }
 
 }  // namespace talus::laboratory

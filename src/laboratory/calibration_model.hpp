@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "input/case/case.hpp"
+#include "laboratory/evaluation_store.hpp"
 #include "laboratory/point_results.hpp"
 #include "laboratory/point_test.hpp"
 
@@ -41,8 +42,9 @@ struct Comparison {
 
 class CalibrationModel {
  public:
-  /// `data` must have a calibration and outlive the model.
-  explicit CalibrationModel(const input::Case& data);
+  /// `data` must have a calibration and outlive the model, as must `store`, which receives the evaluations and replaces
+  /// those that it has; nullptr: none is stored.
+  explicit CalibrationModel(const input::Case& data, EvaluationStore* store = nullptr);
 
   std::size_t count_parameters() const { return calibration_.parameters.size(); }
   /// Number of measured values that are fitted, each with a residual.
@@ -61,10 +63,10 @@ class CalibrationModel {
   double search_tolerance() const;
 
   /// Runs the tests and the stages with the parameters at `places`. Returns nullopt if they are invalid or a test
-  /// cannot be run, with the reason in `why`. Thread-safe.
+  /// cannot be run, with the reason in `why`. A stored evaluation has residuals only. Thread-safe.
   std::optional<Comparison> compare(const std::vector<double>& places, std::string* why = nullptr,
                                     bool with_lines = false) const;
-  /// Number of tests and sequences of stages run so far.
+  /// Number of tests and sequences of stages run so far, with those of stored evaluations.
   long count_runs() const { return runs_; }
 
  private:
@@ -73,8 +75,11 @@ class CalibrationModel {
   std::string compare_tests(const std::vector<double>& places, bool with_lines, Comparison& result) const;
   std::string compare_stages(const std::vector<double>& places, bool with_lines, Comparison& result) const;
 
+  std::optional<Comparison> evaluate(const std::vector<double>& places, std::string& fault, bool with_lines) const;
+
   const input::Case& data_;
   const input::Calibration& calibration_;
+  EvaluationStore* store_;
   std::vector<std::size_t> tests_;              ///< those with measurements
   std::vector<std::vector<std::size_t>> legs_;  ///< of every curve, for each point
   std::vector<double> spans_;                   ///< of every curve: range of its abscissae

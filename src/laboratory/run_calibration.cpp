@@ -12,8 +12,11 @@
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
+#include "base/file_list.hpp"
 #include "base/folder_lock.hpp"
 #include "base/units.hpp"
+#include "input/echo.hpp"
+#include "laboratory/evaluation_store.hpp"
 #include "laboratory/point_results.hpp"
 #include "laboratory/point_test.hpp"
 #include "output/files/history.hpp"
@@ -25,6 +28,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using results::AtLimit;
+
+constexpr const char* search_folder = "calibration";
 
 /// Rounds to nine digits, which are more than those of any measurement.
 double round_off(double value) {
@@ -108,6 +113,14 @@ std::string write_curve_table(const results::Calibration& result, const std::str
   return text;
 }
 
+/// Returns true if a folder has nothing but the evaluations of a search.
+bool holds_only_search(const fs::path& folder) {
+  std::error_code unknown;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, unknown))
+    if (entry.path().filename() != search_folder && entry.path().filename() != lock_file) return false;
+  return fs::exists(folder / search_folder, unknown);
+}
+
 /// Refuses a folder before the search. Throws Error (cannot_write) if nothing can be written there, and Error
 /// (folder_exists) if it has results of a run, which no calibration has left there, or the stages must not replace it.
 void check_folder(const input::LoadedCase& loaded, const fs::path& folder) {
@@ -116,12 +129,12 @@ void check_folder(const input::LoadedCase& loaded, const fs::path& folder) {
   while (!fs::exists(there, unknown) && there.has_relative_path()) there = there.parent_path();
   if (!fs::is_directory(there, unknown)) throw_cannot_write(there, ENOTDIR);
   if (::access(there.c_str(), W_OK) != 0) throw_cannot_write(folder, errno);
-  if (loaded.data.calibration->monitors.empty()) return;
+  if (loaded.data.calibration->monitors.empty() || holds_only_search(folder)) return;
   run::RunOptions options;
   options.folder = folder;
   options.overwrite = true;
   run::check_folder(loaded, options);
-  if (fs::exists(folder / "summary.json") && !fs::exists(folder / "calibration" / "calibration.json"))
+  if (fs::exists(folder / "summary.json") && !fs::exists(folder / search_folder / "calibration.json"))
     throw Error(ExitCode::folder_exists,
                 "'{}' holds the results of a run, which the stages with the fitted soils would replace: give another "
                 "folder with -o",
@@ -134,11 +147,14 @@ void run_stages(const input::LoadedCase& fitted, std::vector<input::Override> ch
   for (std::size_t k = 0; k < fitted.data.construction.size(); ++k)
     for (const char* key : {"factor", "release"})
       changes.push_back({fmt::format("construction.{}.{}", k, key), "false"});
+  // The folder of the search is no result of the run, which requires a list of files where a folder is not empty and
+  // would note what it keeps.
+  { const FileList list(run.folder); }
+  if (run.options.progress != nullptr) run.options.progress->show("stages with the fitted soils");
   run::RunOptions options;
   options.folder = run.folder;
   options.overwrite = true;
   options.threads = run.options.threads;
-  options.progress = run.options.progress;
   run::run_case(input::read_case_text(fitted.text, fitted.file, changes), options);
 }
 
@@ -162,8 +178,14 @@ results::Calibration run_calibration(const input::LoadedCase& loaded, const Cali
         loaded.file);
   check_folder(loaded, run.folder);
   const auto start = std::chrono::steady_clock::now();
+  const fs::path folder = run.folder / search_folder;
+  FolderLock lock(folder);
+  EvaluationStore store(folder / "evaluations.jsonl", input::hash_input(loaded.echo, loaded.data), run.resume);
+  CalibrationOptions options = run.options;
+  options.store = &store;
+  lock.take();
   std::string log;
-  results::Calibration result = calibrate(loaded.data, run.options, &log);
+  results::Calibration result = calibrate(loaded.data, options, &log);
   result.title = loaded.data.title;
   result.seed = static_cast<std::uint64_t>(loaded.data.calibration->seed);
   result.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -180,9 +202,6 @@ results::Calibration run_calibration(const input::LoadedCase& loaded, const Cali
   } catch (...) {
     thrown = std::current_exception();
   }
-  const fs::path folder = run.folder / "calibration";
-  FolderLock lock(folder);
-  lock.take();
   write_atomically(folder / "parameters.csv", write_parameter_table(result));
   write_atomically(folder / "correlation.csv", write_correlation_table(result));
   write_atomically(folder / "curves.csv", curves);

@@ -122,10 +122,12 @@ class CalibrateInterrupts : public testing::Test {
   void TearDown() override { Looks::end(); }
 
   /// The sentence with which a calibration ends; "" without an error.
-  std::string calibrate(const std::string& text, const fs::path& folder, long last, const fs::path& file = {}) {
+  std::string calibrate(const std::string& text, const fs::path& folder, long last, const fs::path& file = {},
+                        bool resume = false) {
     CalibrationRun run;
     run.folder = folder;
     run.options.threads = 1;
+    run.resume = resume;
     const input::LoadedCase loaded = input::read_case_text(text, "soil.toml", {}, input::CaseScope::whole_or_tests);
     Looks::begin(last, file);
     std::string sentence;
@@ -154,12 +156,34 @@ TEST_F(CalibrateInterrupts, EndItAnywhereWithTheBestParameters) {
     sentence = calibrate(measured_soil, folder_ / "out", last);
     EXPECT_EQ(code_, ExitCode::interrupted) << last;
     EXPECT_THAT(sentence, HasSubstr("interrupted")) << last;
-    EXPECT_FALSE(fs::exists(folder_ / "out")) << last;
+    EXPECT_FALSE(fs::exists(folder_ / "out" / "calibration" / "calibration.json")) << last;
   }
   // The last check is after the search: the best values are those of the soil.
   const std::string key = " --set calibration.parameter.1.start=";
   ASSERT_THAT(sentence, HasSubstr(key));
   EXPECT_NEAR(std::stod(sentence.substr(sentence.find(key) + key.size())), 30, 0.05);
+}
+
+TEST_F(CalibrateInterrupts, AResumedSearchHasTheResultOfAWholeOne) {
+  const auto read = [](const fs::path& folder) {
+    auto result = nlohmann::json::parse(support::read_text(folder / "calibration" / "calibration.json"));
+    result.erase("wall");
+    return result;
+  };
+  ASSERT_EQ(calibrate(measured_soil, folder_ / "whole", -1), "");
+  const long looks = Looks::count;
+  const fs::path out = folder_ / "parts", file = out / "calibration" / "evaluations.jsonl";
+  std::uintmax_t size = 0;
+  for (const long last : {3L, looks / 2, looks - 1}) {
+    EXPECT_THAT(calibrate(measured_soil, out, last, {}, true), HasSubstr("--resume")) << last;
+    EXPECT_GT(fs::file_size(file), size) << last;
+    size = fs::file_size(file);
+  }
+  // A kill cuts the last line.
+  fs::resize_file(file, size - 5);
+  ASSERT_EQ(calibrate(measured_soil, out, -1, {}, true), "");
+  EXPECT_EQ(read(out), read(folder_ / "whole"));
+  EXPECT_THAT(calibrate(measured_soil + "weight = 2\n", out, -1, {}, true), HasSubstr("another input"));
 }
 
 TEST_F(CalibrateInterrupts, AfterTheSearchKeepItsResult) {
