@@ -28,16 +28,14 @@ void EvaluationStore::read() {
   std::ifstream in(file_);
   std::string line;
   if (!in || !std::getline(in, line)) return;
+  // A line is an array, [hash] first and then [places, residuals, fault].
   const json head = json::parse(line, nullptr, false);
-  if (!head.is_object() || head.value("input_hash", "") != input_hash_)
+  if (!head.is_array() || head.size() != 1 || head[0] != input_hash_)
     fail_input("'{}' is that of another input: give another folder with -o, or leave --resume out", file_.string());
   while (std::getline(in, line)) {
     const json one = json::parse(line, nullptr, false);
-    const bool is_whole = one.is_object() && one.contains("places") && one.contains("residuals") &&
-                          one.contains("fault") && one["places"].is_array() && one["residuals"].is_array();
-    if (!is_whole) continue;
-    known_[one["places"].get<std::vector<double>>()] = {one["residuals"].get<std::vector<double>>(),
-                                                        one["fault"].get<std::string>()};
+    if (!one.is_array() || one.size() != 3 || !one[0].is_array() || !one[1].is_array() || !one[2].is_string()) continue;
+    known_[one[0].get<std::vector<double>>()] = {one[1].get<std::vector<double>>(), one[2].get<std::string>()};
   }
 }
 
@@ -45,9 +43,8 @@ void EvaluationStore::read() {
 void EvaluationStore::open() {
   if (out_) return;
   make_folder(file_.parent_path());
-  std::string text = write_line({{"input_hash", input_hash_}});
-  for (const auto& [places, found] : known_)
-    text += write_line({{"places", places}, {"residuals", found.residuals}, {"fault", found.fault}});
+  std::string text = write_line(json::array({input_hash_}));
+  for (const auto& [places, found] : known_) text += write_line(json::array({places, found.residuals, found.fault}));
   write_atomically(file_, text);
   out_.reset(std::fopen(file_.c_str(), "a"));
   if (!out_) throw_cannot_write(file_, errno);
@@ -63,8 +60,7 @@ void EvaluationStore::add(const std::vector<double>& places, const Evaluation& e
   const std::lock_guard lock(mutex_);
   open();
   known_[places] = evaluation;
-  const std::string line =
-      write_line({{"places", places}, {"residuals", evaluation.residuals}, {"fault", evaluation.fault}});
+  const std::string line = write_line(json::array({places, evaluation.residuals, evaluation.fault}));
   if (std::fwrite(line.data(), 1, line.size(), out_.get()) != line.size() || std::fflush(out_.get()) != 0)
     throw_cannot_write(file_, errno, "the evaluations before are complete");
 }
