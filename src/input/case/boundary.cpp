@@ -5,6 +5,7 @@
 
 #include "base/text.hpp"
 #include "base/units.hpp"
+#include "input/case/case.hpp"
 #include "input/case/checks.hpp"
 #include "input/language/visitor.hpp"
 
@@ -112,8 +113,26 @@ void check_sides(const Case& data, const std::set<std::string>& sides, Findings&
     check_side(data.roots[i].ground, fmt::format("roots.{}.ground", i), sides, findings);
 }
 
+namespace {
+
+/// Reports unit weights from which no density of MPM follows.
+void check_masses(const Case& data, Findings& findings) {
+  if (!uses(data, Method::mpm) || data.gravity.acceleration != 0 || !findings.is_sound("gravity")) return;
+  for (const auto& [name, material] : data.materials) {
+    const std::string path = "materials." + name;
+    if (material.slices.unit_weight && findings.is_sound(path) && !findings.places.is_given(path + ".grain_density"))
+      findings.add(path + ".unit_weight",
+                   "without gravity the unit weight of material '{}' gives no mass; give 'grain_density' and "
+                   "'porosity' for MPM",
+                   name);
+  }
+}
+
+}  // namespace
+
 void check_conditions(const Case& data, Findings& findings) {
   check_vector(data, data.gravity.direction, "gravity.direction", true, findings);
+  check_masses(data, findings);
   for (std::size_t i = 0; i < data.boundaries.size(); ++i) {
     const std::string path = fmt::format("boundary.{}.", i);
     if (!findings.is_sound(path + "fix")) continue;

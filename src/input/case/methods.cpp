@@ -280,12 +280,6 @@ void check_weight(const Case& data, const Material& m, const std::string& name, 
                  *s.saturated_unit_weight / 1e3, *s.unit_weight / 1e3);
   if (!s.unit_weight || !findings.is_sound(path + ".unit_weight") || !findings.is_sound(path + ".grain_density"))
     return;
-  if (uses(data, Method::mpm) && data.gravity.acceleration == 0 && findings.is_sound("gravity") &&
-      !is_given(".grain_density"))
-    findings.add(path + ".unit_weight",
-                 "without gravity the unit weight of material '{}' gives no mass; give 'grain_density' and 'porosity' "
-                 "for MPM",
-                 name);
   if (!m.water.is_wet()) {
     if (is_given(".grain_density"))
       findings.add(path + ".grain_density",
