@@ -451,7 +451,9 @@ initial = { stress = "k0", pore_pressure = "water_table", water_table = [[0, 6],
 hydraulic = [{ on = "ground", condition = "total_head", head = 6 }]
 surcharge = [{ name = "fill", x = [0, 1], load = [20, 20] }]
 analysis.methods = ["fem"]
-output.monitor = [{ name = "top", at = [0.5, 6] }, { name = "base", at = [0.5, 0] }]
+construction = [{ name = "fill", duration = 0, add = ["fill"], factor = false },
+                { name = "pause", duration = 101.2146, factor = false },
+                { name = "end", duration = 10000, factor = false }]
 [materials.clay]
 model = "linear_elastic"
 grain_density = 2700
@@ -459,19 +461,6 @@ porosity = 0.5
 young_modulus = 3000
 poisson_ratio = 0.3
 water = { retention = "saturated", conductivity = 1e-9 }
-[[construction]]
-name = "fill"
-duration = 0
-add = ["fill"]
-factor = false
-[[construction]]
-name = "pause"
-duration = 101.2146
-factor = false
-[[construction]]
-name = "end"
-duration = 10000
-factor = false
 )");
   const json& stages = summary.at("construction").at("stages");
   const double end = 20.0 * 6 / (3000 * 0.7 / (1.3 * 0.4));
@@ -485,6 +474,7 @@ factor = false
 /// A wide cut that fills with water: the pore pressure falls at once by the buoyant weight of what is removed.
 TEST_F(ConstructionRuns, ACutHeavesAndHasSuction) {
   const json summary = run(R"(
+construction = [{ name = "dig", duration = 0, remove = ["dug"], factor = false }]
 geometry.polygon = [{ name = "soil", points = [[0, 0], [2, 0], [2, 6], [0, 6]] },
                     { name = "dug", points = [[0, 6], [2, 6], [2, 9], [0, 9]] }]
 mesh.size = 1
@@ -498,11 +488,6 @@ porosity = 0.4
 young_modulus = 12000
 poisson_ratio = 0.25
 water = { retention = "saturated", conductivity = 1e-12 }
-[[construction]]
-name = "dig"
-duration = 0
-remove = ["dug"]
-factor = false
 )");
   const auto& step = summary.at("construction").at("stages").at(0).at("steps").back();
   const double buoyant = 3 * (20e3 - 9810);
