@@ -12,6 +12,7 @@
 #include "base/numbers.hpp"
 #include "input/case/case.hpp"
 #include "input/case/checks.hpp"
+#include "input/case/support_warnings.hpp"
 #include "mesh/ground.hpp"
 
 namespace talus::input {
@@ -422,41 +423,6 @@ class SupportCheck {
   BlockFindings block_;
 };
 
-/// Returns true if two bars cross between their ends.
-bool do_cross(const BarLine& a, const BarLine& b) {
-  const auto turn = [](const Point& p, const Point& q, const Point& r) {
-    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
-  };
-  return turn(a.head, a.end, b.head) * turn(a.head, a.end, b.end) < 0 &&
-         turn(b.head, b.end, a.head) * turn(b.head, b.end, a.end) < 0;
-}
-
-/// Warns of bars that cross: in the section they share a place, which bars side by side may do.
-void warn_of_crossings(const Case& data, Findings& findings) {
-  mesh::Polyline ground;
-  try {
-    ground = mesh::find_ground(data.mesh);
-  } catch (const Error&) {
-    return;
-  }
-  std::vector<std::pair<const std::string*, BarLine>> bars;
-  for (const auto& [name, support] : data.supports)
-    for (const BarLine& bar : lay_bars(support, ground, data.units().length).bars) bars.emplace_back(&name, bar);
-  for (std::size_t i = 0; i < bars.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) {
-      const auto& [name, bar] = bars[i];
-      const auto& [other_name, other] = bars[j];
-      const auto is_beam = [](SupportKind kind) { return kind == SupportKind::pile || kind == SupportKind::wall; };
-      if (is_beam(data.supports.at(*name).kind) || is_beam(data.supports.at(*other_name).kind)) continue;
-      if (!do_cross(bar, other)) continue;
-      return findings.warn(
-          "support." + *name,
-          "the bar of support '{}' in row {} crosses that of '{}' in row {} in the section. Both count "
-          "with their full resistance, as bars that stand side by side along the slope",
-          *name, bar.row, *other_name, other.row);
-    }
-}
-
 }  // namespace
 
 bool has_passive_supports(const Case& data) {
@@ -492,9 +458,7 @@ void check_supports(const Case& data, Findings& findings) {
                         bars, most);
   for (const auto& [name, support] : data.supports) SupportCheck(data, name, support, findings).run();
   check_support_methods(data, findings);
-  if (findings.is_sound("support") && findings.is_sound("geometry") && data.mesh.dimension == 2 &&
-      !data.mesh.polygons.empty())
-    warn_of_crossings(data, findings);
+  warn_of_supports(data, findings);
 }
 
 }  // namespace talus::input

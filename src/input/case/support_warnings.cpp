@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "input/case/support_warnings.hpp"
+
+#include <utility>
+#include <vector>
+
+#include "base/error.hpp"
+#include "input/case/case.hpp"
+#include "input/case/checks.hpp"
+#include "input/case/support.hpp"
+#include "mesh/ground.hpp"
+
+namespace talus::input {
+
+namespace {
+
+/// Returns true if two bars cross between their ends.
+bool do_cross(const BarLine& a, const BarLine& b) {
+  const auto turn = [](const auto& p, const auto& q, const auto& r) {
+    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+  };
+  return turn(a.head, a.end, b.head) * turn(a.head, a.end, b.end) < 0 &&
+         turn(b.head, b.end, a.head) * turn(b.head, b.end, a.end) < 0;
+}
+
+/// Warns of bars that cross: in the section they share a place, which bars side by side may do.
+/// Warns of a prestress of zero, next to which LEM jumps, and of plastic moments that LEM leaves out.
+void warn_of_lem(const Case& data, Findings& findings) {
+  if (!uses(data, Method::lem)) return;
+  for (const auto& [name, support] : data.supports) {
+    const std::string path = "support." + name;
+    if (support.is_active() && support.prestress == 0 && findings.places.is_given(path + ".prestress"))
+      findings.warn(path + ".prestress",
+                    "support '{}' is active without prestress: in LEM it pulls with its full resistance, and with a "
+                    "prestress of 1 kN with 1 kN. For a bar that the slide has to stretch give sense = \"passive\"",
+                    name);
+    if (support.kind == SupportKind::pile && support.plastic_moment)
+      findings.warn(path + ".plastic_moment",
+                    "LEM does not limit the force of support '{}' by 'plastic_moment', but by its lateral resistance "
+                    "and 'shear_strength'; FEM has a hinge at it",
+                    name);
+  }
+}
+
+void warn_of_crossings(const Case& data, Findings& findings) {
+  mesh::Polyline ground;
+  try {
+    ground = mesh::find_ground(data.mesh);
+  } catch (const Error&) {
+    return;
+  }
+  std::vector<std::pair<const std::string*, BarLine>> bars;
+  for (const auto& [name, support] : data.supports)
+    for (const BarLine& bar : lay_bars(support, ground, data.units().length).bars) bars.emplace_back(&name, bar);
+  for (std::size_t i = 0; i < bars.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const auto& [name, bar] = bars[i];
+      const auto& [other_name, other] = bars[j];
+      const auto is_beam = [](SupportKind kind) { return kind == SupportKind::pile || kind == SupportKind::wall; };
+      if (is_beam(data.supports.at(*name).kind) || is_beam(data.supports.at(*other_name).kind)) continue;
+      if (!do_cross(bar, other)) continue;
+      return findings.warn(
+          "support." + *name,
+          "the bar of support '{}' in row {} crosses that of '{}' in row {} in the section. Both count "
+          "with their full resistance, as bars that stand side by side along the slope",
+          *name, bar.row, *other_name, other.row);
+    }
+}
+
+}  // namespace
+
+void warn_of_supports(const Case& data, Findings& findings) {
+  if (findings.is_sound("support") && findings.is_sound("analysis.methods")) warn_of_lem(data, findings);
+  if (findings.is_sound("support") && findings.is_sound("geometry") && data.mesh.dimension == 2 &&
+      !data.mesh.polygons.empty())
+    warn_of_crossings(data, findings);
+}
+
+}  // namespace talus::input

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+// Warnings on supports that are allowed but probably not meant.
+
+namespace talus::input {
+
+struct Case;
+class Findings;
+
+/// Warns of bars that cross in the section, of an active bar with `prestress = 0`, and of a `plastic_moment` of piles,
+/// which LEM leaves out.
+void warn_of_supports(const Case& data, Findings& findings);
+
+}  // namespace talus::input
