@@ -233,10 +233,11 @@ class Reading {
              std::max(0.0, slices.normal[i] - std::max(0.0, u) * length) * slices.tan_friction[i];
     }
     if (!(all > 0) || suction < noticeable_suction * all) return;
-    bool by_angle = false, by_saturation = false;
+    bool by_angle = false, by_saturation = false, by_default = false;
     for (const auto& [region, name] : data_.regions) {
       const input::SuctionStrength how = data_.materials.at(name).slices.suction_strength;
       by_angle = by_angle || how == input::SuctionStrength::phi_b;
+      by_default = by_default || (how == input::SuctionStrength::from_water && data_.materials.at(name).water.is_wet());
       by_saturation =
           by_saturation || how == input::SuctionStrength::from_water || how == input::SuctionStrength::saturation;
     }
@@ -245,6 +246,9 @@ class Reading {
         : by_saturation && (given_ != nullptr || associated_ != nullptr || frozen_)
             ? "; every method takes it as χ s with the same χ"
             : "");
+    // A retention curve is often given for the seepage alone.
+    if (by_default)
+      say("It counts because a material has a retention curve; suction_strength = \"none\" leaves it out.");
   }
 
   void read_flow() {
