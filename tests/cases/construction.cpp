@@ -442,7 +442,7 @@ TEST_F(ConstructionRuns, SoilThatFailsInAStageMovesByMpm) {
 
 /// Terzaghi's layer of 6 m, drained at its top: at T = 0.1 a degree of 0.3568, and 0.9493 of the pressure at its base.
 TEST_F(ConstructionRuns, ElasticSoilConsolidatesWithoutAFactor) {
-  const json summary = run(R"(
+  const nlohmann::json summary = run(R"(
 geometry.polygon = [{ name = "clay", points = [[0, 0], [1, 0], [1, 6], [0, 6]] }]
 geometry.line = [{ name = "ground", points = [[0, 6], [1, 6]] }]
 mesh.size = 0.5
@@ -462,7 +462,7 @@ young_modulus = 3000
 poisson_ratio = 0.3
 water = { retention = "saturated", conductivity = 1e-9 }
 )");
-  const json& stages = summary.at("construction").at("stages");
+  const auto& stages = summary.at("construction").at("stages");
   const double end = 20.0 * 6 / (3000 * 0.7 / (1.3 * 0.4));
   const auto& half = stages.at(1).at("steps").back();
   EXPECT_NEAR(half.at("settlement").get<double>(), 0.3568 * end, 0.01 * end);
@@ -473,7 +473,7 @@ water = { retention = "saturated", conductivity = 1e-9 }
 
 /// A wide cut that fills with water: the pore pressure falls at once by the buoyant weight of what is removed.
 TEST_F(ConstructionRuns, ACutHeavesAndHasSuction) {
-  const json summary = run(R"(
+  const nlohmann::json summary = run(R"(
 construction = [{ name = "dig", duration = 0, remove = ["dug"], factor = false }]
 geometry.polygon = [{ name = "soil", points = [[0, 0], [2, 0], [2, 6], [0, 6]] },
                     { name = "dug", points = [[0, 6], [2, 6], [2, 9], [0, 9]] }]
