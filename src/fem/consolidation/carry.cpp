@@ -11,6 +11,28 @@
 namespace talus::fem {
 namespace {
 
+/// Starts the joints of walls with the stress of the soil beside them, so that a wall in soil that stays is placed
+/// without a change of stress; beside placed soil there is none.
+template <int D>
+void start_joints(const SolidSystem<D>& system, SolidState<D>& out) {
+  constexpr std::size_t points = Quadratic<D>::points;
+  const std::size_t first = system.springs.list.size();
+  for (std::size_t s = 0; s < system.springs.joints.size(); ++s) {
+    const Joint& joint = system.springs.joints[s];
+    if (joint.is_section) continue;
+    std::array<double, 3> stress{};  // xx, yy, xy
+    for (std::size_t q = 0; q < points; ++q) {
+      const auto& at = out.stress[static_cast<std::size_t>(joint.element) * points + q];
+      for (std::size_t i = 0; i < 3; ++i) stress[i] += at[i < 2 ? i : 3] / static_cast<double>(points);
+    }
+    const Vec<2>& n = joint.normal;
+    const Vec<2> along = joint.side == 0 ? Vec<2>{n[1], -n[0]} : Vec<2>{-n[1], n[0]};
+    const Vec<2> traction{stress[0] * n[0] + stress[2] * n[1], stress[2] * n[0] + stress[1] * n[1]};
+    out.bars[first + 2 * s] = std::min(0.0, dot(traction, n)) / joint.normal_stiffness;
+    out.bars[first + 2 * s + 1] = dot(traction, along) / joint.tangential_stiffness;
+  }
+}
+
 /// Deformations of the springs of each bar and wall, which the supports of both stages share.
 template <int D>
 void carry_bars(const SolidSystem<D>& old_system, const SolidState<D>& state, const SolidSystem<D>& system,
@@ -21,7 +43,8 @@ void carry_bars(const SolidSystem<D>& old_system, const SolidState<D>& state, co
     if (bar >= static_cast<int>(now.size())) {  // a wall
       const Wall& wall = system.model.walls[static_cast<std::size_t>(bar) - now.size()];
       for (std::size_t w = 0; w < old_system.model.walls.size(); ++w)
-        if (old_system.model.walls[w].name == wall.name) return static_cast<int>(then.size() + w);
+        if (old_system.model.walls[w].name == wall.name && old_system.model.walls[w].nodes == wall.nodes)
+          return static_cast<int>(then.size() + w);
       return -1;
     }
     const Bar& one = now[static_cast<std::size_t>(bar)];
@@ -46,7 +69,8 @@ void carry_bars(const SolidSystem<D>& old_system, const SolidState<D>& state, co
     if (wall < 0) continue;
     for (std::size_t o = 0; o < old_joints.size(); ++o)
       if (old_joints[o].wall == wall - static_cast<int>(old_system.model.bars.size()) &&
-          old_joints[o].side == joints[s].side && std::abs(old_joints[o].place - joints[s].place) < 1e-9)
+          old_joints[o].is_section == joints[s].is_section && old_joints[o].side == joints[s].side &&
+          std::abs(old_joints[o].place - joints[s].place) < 1e-9)
         for (std::size_t i = 0; i < 2; ++i) out.bars[list.size() + 2 * s + i] = state.bars[old_list.size() + 2 * o + i];
   }
 }
@@ -133,12 +157,15 @@ ConsolidationState<D> carry_state(const ConsolidationModel<D>& old_model, const 
       std::copy_n(&state.solid.state[old_p * old_size], kept, &out.solid.state[p * size]);
     }
   }
+  start_joints(system, out.solid);
   carry_bars(old_system, state.solid, system, out.solid);
-  const auto& wet = *old_model.flow->mesh;
+  // Impermeable walls double nodes, and elements keep their numbers.
+  const auto &wet = *old_model.flow->mesh, &now = *model.flow->mesh;
   for (std::size_t e = 0; e < wet.elements.size(); ++e)
     if (wet.element_region[e] != mesh::empty_region)
-      for (const int node : wet.elements[e])
-        out.head[static_cast<std::size_t>(node)] = state.head[static_cast<std::size_t>(node)];
+      for (std::size_t i = 0; i <= D; ++i)
+        out.head[static_cast<std::size_t>(now.elements[e][i])] =
+            state.head[static_cast<std::size_t>(wet.elements[e][i])];
   return out;
 }
 

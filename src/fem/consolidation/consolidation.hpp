@@ -40,6 +40,7 @@ struct ConsolidationModel {
   StageDrainage drainage = StageDrainage::consolidating;
   std::vector<double> steady_head{};  ///< per node [m], for drained stages
   double strength_factor = 1;         ///< strength reduction factor of the soils
+  bool is_jacking = false;            ///< bars and struts with a prestress keep it during the stage
 };
 
 template <int D>

@@ -21,11 +21,13 @@ CoupledSystem<D>::CoupledSystem(const ConsolidationModel<D>& model, int threads)
     : model_(model),
       solid_(*model.solid),
       flow_(*model.flow),
-      assembly_(solid_, make_laws(*model.solid, model.strength_factor), threads),
+      assembly_(solid_, make_laws(*model.solid, model.strength_factor), threads,
+                {model.strength_factor, model.is_jacking}),
       constant_pore_(solid_.pore) {
   if (model.flow->mesh->elements.size() != model.solid->mesh->elements.size())
     throw Error(ExitCode::internal_error, "consolidation needs the same elements for soil and water");
   couple();
+  if constexpr (D == 2) couple_joints();
   add_drains();
   make_pattern();
   solver_.emplace(column_start_, row_, threads);
@@ -61,6 +63,33 @@ void CoupledSystem<D>::couple() {
   }
 }
 
+/// The water in a joint has the pressure of the soil beside it: N_A at the joint, and the volume of its opening.
+template <int D>
+void CoupledSystem<D>::couple_joints() {
+  if constexpr (D == 2) {
+    const auto& wet = *model_.flow->mesh;
+    for (const Joint& joint : solid_.springs.joints) {
+      if (joint.is_section) continue;
+      const auto k = static_cast<std::size_t>(joint.element);
+      const auto e = static_cast<std::size_t>(solid_.mesh.linear_element[k]);
+      if (wet.element_region[e] == mesh::empty_region) continue;
+      const auto& nodes = solid_.mesh.elements[k];
+      const auto local = static_cast<std::size_t>(std::find(nodes.begin(), nodes.end(), joint.node) - nodes.begin());
+      std::array<std::size_t, 2> ends{local, local};
+      if (local >= corners)
+        for (std::size_t i = 0; i < 2; ++i) ends[i] = static_cast<std::size_t>(Quadratic<2>::edges[local - corners][i]);
+      JointCouple& c = joints_.emplace_back();
+      c.region = wet.element_region[e];
+      c.weight = local < corners ? std::array{1.0, 0.0} : std::array{0.5, 0.5};
+      for (std::size_t a = 0; a < 2; ++a)
+        c.node[a] = flow_.unknown_of_node[static_cast<std::size_t>(wet.elements[e][ends[a]])];
+      c.unknown = joint.unknown;
+      for (const double opening : joint.opening) c.rate.push_back(joint.weight * opening);
+    }
+    joint_pressure_.resize(joints_.size());
+  }
+}
+
 template <int D>
 void CoupledSystem<D>::add_drains() {
   if (model_.drains.empty()) return;
@@ -89,6 +118,12 @@ void CoupledSystem<D>::make_pattern() {
     for (const int node : c.node)
       for (const int u : c.unknown) {
         if (u < 0) continue;
+        columns[static_cast<std::size_t>(first) + static_cast<std::size_t>(node)].push_back(u);
+        columns[static_cast<std::size_t>(u)].push_back(first + node);
+      }
+  for (const JointCouple& c : joints_)
+    for (const int node : c.node)
+      for (const int u : c.unknown) {
         columns[static_cast<std::size_t>(first) + static_cast<std::size_t>(node)].push_back(u);
         columns[static_cast<std::size_t>(u)].push_back(first + node);
       }
@@ -121,6 +156,12 @@ void CoupledSystem<D>::make_pattern() {
         c.above[a * locals + i] = u < 0 ? -1 : find_slot(u, first + c.node[a]);
         c.below[a * locals + i] = u < 0 ? -1 : find_slot(first + c.node[a], u);
       }
+  for (JointCouple& c : joints_)
+    for (const int node : c.node)
+      for (const int u : c.unknown) {
+        c.above.push_back(find_slot(u, first + node));
+        c.below.push_back(find_slot(first + node, u));
+      }
 }
 
 /// Sets χp at the integration points of the solid, and what its derivatives need at the corners.
@@ -128,6 +169,12 @@ template <int D>
 void CoupledSystem<D>::set_pores(const std::vector<double>& head) {
   const auto& mesh = *model_.flow->mesh;
   symmetric_ = true;
+  const auto find_acting = [&](int region, double s, const auto& water) {
+    return s <= 0 ? material::CurvePoint<double>{s, 1}
+           : !model_.suction_stress
+               ? material::CurvePoint<double>{water.saturation * s, water.saturation + water.slope * s}
+               : model_.suction_stress(region, s);
+  };
   for (Couple& c : couples_) {
     const auto e = static_cast<std::size_t>(flow_.elements[c.flow]);
     const int region = mesh.element_region[e];
@@ -136,11 +183,7 @@ void CoupledSystem<D>::set_pores(const std::vector<double>& head) {
       const auto u = static_cast<std::size_t>(c.node[a]);
       const double s = flow_.suction(u, head[u]);
       const auto water = material::find_water(model_.flow->soils[static_cast<std::size_t>(region)].retention, s);
-      const material::CurvePoint<double> acts =
-          s <= 0 ? material::CurvePoint<double>{s, 1}
-          : !model_.suction_stress
-              ? material::CurvePoint<double>{water.saturation * s, water.saturation + water.slope * s}
-              : model_.suction_stress(region, s);
+      const material::CurvePoint<double> acts = find_acting(region, s, water);
       stress[a] = acts.value;
       c.bishop[a] = acts.slope;
       c.share[a] = water.saturation;
@@ -154,6 +197,28 @@ void CoupledSystem<D>::set_pores(const std::vector<double>& head) {
       solid_.pore[c.solid][q] = sum;
     }
   }
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    JointCouple& c = joints_[j];
+    joint_pressure_[j] = 0;
+    for (std::size_t a = 0; a < c.node.size(); ++a) {
+      const auto u = static_cast<std::size_t>(c.node[a]);
+      const double s = flow_.suction(u, head[u]);
+      const auto water = material::find_water(model_.flow->soils[static_cast<std::size_t>(c.region)].retention, s);
+      const material::CurvePoint<double> acts = find_acting(c.region, s, water);
+      joint_pressure_[j] += c.weight[a] * acts.value;
+      c.bishop[a] = acts.slope;
+      c.share[a] = water.saturation;
+      c.slope[a] = water.slope;
+      symmetric_ = symmetric_ && acts.slope == water.saturation;
+    }
+  }
+}
+
+template <int D>
+void CoupledSystem<D>::add_joint_pores(std::vector<double>& force) const {
+  for (std::size_t j = 0; j < joints_.size(); ++j)
+    for (std::size_t i = 0; i < joints_[j].unknown.size(); ++i)
+      force[static_cast<std::size_t>(joints_[j].unknown[i])] += joint_pressure_[j] * joints_[j].rate[i];
 }
 
 template <int D>
@@ -170,6 +235,7 @@ double CoupledSystem<D>::find_pore_force(const std::vector<double>& head) {
           force[static_cast<std::size_t>(c.unknown[i])] += w * dot(g[i / D], node.axes[i % D]);
         }
     }
+  add_joint_pores(force);
   double sum = 0;
   for (const double f : force) sum += f * f;
   return std::sqrt(sum);
@@ -189,6 +255,16 @@ void CoupledSystem<D>::add_storage(const CoupledPlace<D>& start, const std::vect
       place.volume += std::abs(c.share[a] * squeeze);
       capacity_[u] -= weight * c.slope[a] * squeeze;
     }
+  for (const JointCouple& c : joints_) {
+    double opened = 0;
+    for (std::size_t i = 0; i < c.unknown.size(); ++i) opened += c.rate[i] * q[static_cast<std::size_t>(c.unknown[i])];
+    for (std::size_t a = 0; a < c.node.size(); ++a) {
+      const auto u = static_cast<std::size_t>(c.node[a]);
+      place.water[u] -= c.weight[a] * c.share[a] * opened;
+      place.volume += std::abs(c.weight[a] * c.share[a] * opened);
+      capacity_[u] -= weight * c.weight[a] * c.slope[a] * opened;
+    }
+  }
   for (const auto& store : flow_.stores) {
     const auto u = static_cast<std::size_t>(store.unknown);
     const auto& soil = model_.flow->soils[static_cast<std::size_t>(store.soil)];
@@ -226,6 +302,7 @@ void CoupledSystem<D>::evaluate(const CoupledPlace<D>& start, const std::vector<
                                 bool with_matrix, CoupledPlace<D>& place) {
   set_pores(place.head);
   assembly_.evaluate(start.solid, q, with_matrix, place.solid, place.sums);
+  add_joint_pores(place.sums.force);
   place.force.resize(q.size());
   place.fault = 0;
   for (std::size_t i = 0; i < q.size(); ++i) {
@@ -281,6 +358,13 @@ bool CoupledSystem<D>::factorise(const CoupledTarget& target, const CoupledPlace
         if (c.unknown[i] < 0) continue;
         matrix_[static_cast<std::size_t>(c.above[a * locals + i])] -= weight * c.bishop[a] * c.rate[a][i];
         matrix_[static_cast<std::size_t>(c.below[a * locals + i])] -= weight * c.share[a] * c.rate[a][i];
+      }
+  for (const JointCouple& c : joints_)
+    for (std::size_t a = 0; a < c.node.size(); ++a)
+      for (std::size_t i = 0; i < c.unknown.size(); ++i) {
+        const std::size_t at = a * c.unknown.size() + i;
+        matrix_[static_cast<std::size_t>(c.above[at])] -= weight * c.weight[a] * c.bishop[a] * c.rate[i];
+        matrix_[static_cast<std::size_t>(c.below[at])] -= weight * c.weight[a] * c.share[a] * c.rate[i];
       }
   const auto first = static_cast<std::size_t>(solid_.unknowns);
   for (std::size_t u = 0; u < diagonal_.size(); ++u)

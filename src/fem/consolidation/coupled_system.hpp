@@ -67,9 +67,12 @@ class CoupledSystem {
 
  private:
   void couple();
+  void couple_joints();
   void add_drains();
   void make_pattern();
   void set_pores(const std::vector<double>& head);
+  /// Adds the forces of the pore water in the joints, by the pressures of the last set_pores().
+  void add_joint_pores(std::vector<double>& force) const;
   void add_storage(const CoupledPlace<D>& start, const std::vector<double>& q, CoupledPlace<D>& place);
   void add_flow(const CoupledTarget& target, bool with_matrix, CoupledPlace<D>& place);
   const std::vector<double>& find_elastic_matrix(const CoupledPlace<D>& place);
@@ -89,12 +92,24 @@ class CoupledSystem {
     std::array<int, corners * locals> above{}, below{};  ///< in the matrix: rows of the solid, and of the flow
   };
   std::vector<Couple> couples_;
+  /// A joint of a wall beside soil with water, whose pressure acts on both and enters the gap where it opens.
+  struct JointCouple {
+    int region = 0;                  ///< of the flow
+    std::vector<int> unknown;        ///< of the solid
+    std::vector<double> rate;        ///< derivative of the volume of the gap by each of them [m²]
+    std::array<int, 2> node{};       ///< unknowns of the flow: the ends of the edge on which the joint lies
+    std::array<double, 2> weight{};  ///< of the pressures of both at the joint [-]
+    std::array<double, 2> bishop{}, share{}, slope{};  ///< as those of Couple
+    std::vector<int> above, below;                     ///< in the matrix, node by node
+  };
+  std::vector<JointCouple> joints_;
   const std::vector<std::array<double, Quadratic<D>::points>> constant_pore_;  ///< of the solid, without flow [Pa]
   struct Drain {
     std::size_t unknown;
     double rate, head;  ///< [m²/s], [m] above the datum of the flow
   };
   std::vector<Drain> drains_;
+  std::vector<double> joint_pressure_;  ///< of the water in each joint, positive in tension [Pa]
   std::vector<int> column_start_, row_;
   std::vector<int> solid_slots_, flow_slots_, diagonal_;  ///< of the entries of both matrices, and of their diagonal
   std::vector<double> flow_matrix_;                       ///< ∂outflow/∂head of the last place [m²/s]

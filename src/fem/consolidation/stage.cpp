@@ -23,7 +23,8 @@ constexpr double jump_step = 1e-7;
 /// Smallest scale of the error, over the height of the soil and over the head that bears the change of the stage: water
 /// at rest has no error, and the first moments of a load matter little.
 constexpr double least_height_share = 1e-6, least_load_share = 0.02;
-constexpr int even_steps = 10;  ///< of a stage without flow
+constexpr int even_steps = 10;     ///< of a stage without flow
+constexpr int few_iterations = 6;  ///< of a step, after which the next one of such a stage is longer
 
 using creep::find_norm;
 
@@ -34,6 +35,7 @@ class StageRun {
            const ConsolidationSchedule& schedule, const StepReport<D>& report)
       : model_(model), schedule_(schedule), report_(report), system_(model, schedule.threads) {
     now_.solid = start.solid;
+    has_supports_ = !model.solid->bars.empty() || !model.solid->walls.empty();
     first_displacement_ = start.solid.displacement;
     now_.head = to_unknowns(system_.flow(), start.head);
     first_head_ = now_.head;
@@ -162,6 +164,9 @@ class StageRun {
         const double wished = jumps_ ? first : step * (growth > 1 && growth < kept_below ? 1 : growth);
         length = lands ? std::max(length, wished) : wished;
         jumps_ = false;
+      } else if (has_supports_ && tried.out.iterations <= few_iterations) {
+        // Interfaces of walls open and slip in a few short steps, after which long ones serve.
+        length = std::min(std::max(length, 2 * step), schedule_.duration / even_steps);
       }
       if (!lands) continue;
       if (is_output(stops[stop])) keep();
@@ -314,6 +319,7 @@ class StageRun {
   std::vector<double> rate_;                 ///< of the heads at the end of the last step [m/s]; empty: unknown
   std::vector<double> volume_;               ///< of soil per unknown of the flow, weights of the error
   std::vector<char> fixed_;                  ///< heads that are given, at the last conditions
+  bool has_supports_ = false;                ///< bars or walls
   bool jumps_ = false;                       ///< the next step takes up a jump
   double force_scale_ = 1, scale_ = 0, floor_ = 0;
   double past_ = 0, reached_ = 0;  ///< since the start [s], and the fraction of the change

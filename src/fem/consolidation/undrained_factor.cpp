@@ -8,6 +8,7 @@ UndrainedReduction reduce_undrained(ConsolidationModel<D> model, const Consolida
                                     const UndrainedOptions& options) {
   constexpr double growth = 1.25;
   model.drainage = StageDrainage::undrained;
+  model.is_jacking = false;
   ConsolidationSchedule schedule;
   schedule.most_halvings = 0;  // a trial creeps to rest, or fails
   schedule.most_iterations = options.most_iterations;

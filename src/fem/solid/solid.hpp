@@ -37,6 +37,14 @@ struct SurfaceLoad {
   std::vector<std::array<Vec<D>, D>> traction;  ///< per side and corner [Pa]
 };
 
+/// Elastic deformation of a spring or a joint of a bar or wall in a state, which may be that of another mesh.
+struct KnownSpring {
+  int bar = 0;       ///< or wall, counted after the bars
+  int kind = 0;      ///< SpringKind; −1 and −2: joints at the left and right, −3: sections of a wall
+  double place = 0;  ///< distance from the head [m]
+  std::array<double, 2> elastic{};
+};
+
 /// The model except for the strength, which each trial divides.
 template <int D>
 struct SolidModel {
@@ -59,6 +67,8 @@ struct SolidModel {
   std::vector<std::array<double, 6>> initial_stress;
   /// The same per integration point, three (in 3D four) for each element of the linear mesh; replaces `initial_stress`.
   std::vector<std::array<double, 6>> point_stress;
+  /// Deformations of bars and walls that belong to these stresses; empty: they begin without force.
+  std::vector<KnownSpring> known_springs;
   /// Writes the initial state variables of a law at a point of a region; empty: zeros.
   std::function<void(int region, const Vec<D>& x, double* state)> set_state;
   ShownUnits units{};  ///< units of messages
@@ -188,6 +198,9 @@ bool is_stable(const SolidModel<D>& model, const ReductionOptions& options, doub
 
 /// Returns the forces of each bar, and then of each wall, in a state at a factor.
 std::vector<BarForces> compute_bar_forces(const SolidModel<2>& model, const SolidState<2>& state, double factor = 1);
+
+/// Lists the deformations of all springs and joints in a state, for SolidModel::known_springs.
+std::vector<KnownSpring> list_known_springs(const SolidModel<2>& model, const SolidState<2>& state);
 
 /// A slip surface as a polyline from crest to toe: the ridge of the shear strain between the moving mass and the rest.
 struct SlipLine {

@@ -49,6 +49,7 @@ struct Joint {
   double weight = 0;             ///< length that it stands for [m]
   double normal_stiffness = 0, tangential_stiffness = 0;  ///< of a section E A and E I
   int node = -1;                                          ///< of the soil, in the quadratic mesh
+  int element = -1;                                       ///< of the soil, there
   Vec<2> normal{};                                        ///< from the wall to the soil
   bool is_rough = false;                                  ///< no limit of the shear stress
   double adhesion = 0, friction = 0;
@@ -57,6 +58,11 @@ struct Joint {
   std::vector<double> opening{}, slip{};  ///< derivatives by each of them
   std::vector<int> slots{};               ///< index of each pair of unknowns in the global matrix
 };
+
+/// Returns the kind of a joint among those of KnownSpring.
+inline int find_joint_kind(const Joint& joint) {
+  return joint.is_section ? -3 : -1 - joint.side;
+}
 
 struct JointAnswer {
   std::array<double, 2> elastic{}, force{};  ///< opening and slip, the state of the joint; tension and shear [Pa]

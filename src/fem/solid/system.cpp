@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "fem/solid/known_springs.hpp"
 #include "material/every_law.hpp"
 
 namespace talus::fem {
@@ -112,6 +113,7 @@ SolidState<D> SolidAssembly<D>::make_start() const {
     s.bars.push_back(-joint.compression / joint.normal_stiffness);
     s.bars.push_back(0);
   }
+  read_known_springs(system_.springs, system_.model.known_springs, s.bars);
   for (std::size_t p = 0; p < points; ++p) {
     const std::size_t k = p / Quadratic<D>::points;
     if (!system_.model.point_stress.empty())

@@ -213,6 +213,7 @@ class WallBuilder {
                   .normal_stiffness = wall.normal_stiffness,
                   .tangential_stiffness = wall.tangential_stiffness,
                   .node = at,
+                  .element = static_cast<int>(face.element),
                   .normal = normal,
                   .is_rough = !wall.interface,
                   .compression = find_compression(face.element, normal)};
