@@ -10,7 +10,7 @@
 
 #include "base/numbers.hpp"
 #include "input/case/geometry.hpp"
-#include "input/case/support.hpp"
+#include "input/case/support_places.hpp"
 #include "mesh/planar.hpp"
 #include "run/picture_parts.hpp"
 #include "site/ground_line.hpp"
@@ -244,7 +244,9 @@ void add_loads(const PictureSource& source, Picture& picture, std::set<std::stri
 void add_bars(const PictureSource& source, Picture& picture) {
   if (source.ground.size() < 2) return;
   for (const auto& [name, support] : source.data.supports) {
-    const input::BarLayout layout = input::lay_bars(support, source.ground, source.data.units().length);
+    const input::BarLayout layout = source.data.construction.empty()
+                                        ? input::lay_bars(support, source.ground, source.data.units().length)
+                                        : input::lay_bars(source.data, name);
     for (const input::BarLine& line : layout.bars) {
       const double length = line.length();
       if (!(length > 0)) continue;

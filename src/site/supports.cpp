@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "base/error.hpp"
-#include "input/case/support.hpp"
+#include "input/case/support_places.hpp"
 
 namespace talus::site {
 
@@ -82,7 +82,8 @@ std::vector<Bar> list_bars(const Site& site) {
     throw Error(ExitCode::wrong_input,
                 fmt::format("support '{}' needs a plane section of polygons or layers", data.supports.begin()->first));
   for (const auto& [name, support] : data.supports) {
-    const input::BarLayout layout = input::lay_bars(support, ground, data.units().length);
+    const input::BarLayout layout =
+        data.construction.empty() ? input::lay_bars(support, ground, data.units().length) : input::lay_bars(data, name);
     if (!layout.fault.empty()) throw Error(ExitCode::wrong_input, fmt::format("support '{}': {}", name, layout.fault));
     for (const input::BarLine& line : layout.bars) bars.push_back(make_bar(name, support, line));
   }

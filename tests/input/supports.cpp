@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // [support.NAME]: patterns on slopes to either side, and the message on each fault.
 
-#include "input/case/support.hpp"
+#include "input/case/support_places.hpp"
 
 #include <cmath>
 
@@ -153,6 +153,99 @@ TEST(Supports, StagesNameTheirSupports) {
   expect_one_fault(write_nails() + "stage = 2\n",
                    "'stage' in [support.nails]: supports come and go by their names in 'add' and 'remove' of "
                    "[[construction]]");
+}
+
+/// A cut of 2 m that is dug out of level ground in two steps, and a support.
+std::string write_stages(const std::string& support, const std::string& stages) {
+  return R"(
+title = "Cut"
+[[geometry.polygon]]
+name = "ground"
+points = [[0, -6], [20, -6], [20, 0], [10, 0], [10, 2], [0, 2]]
+[[geometry.polygon]]
+name = "cut_1"
+points = [[10, 1], [20, 1], [20, 2], [10, 2]]
+[[geometry.polygon]]
+name = "cut_2"
+points = [[10, 0], [20, 0], [20, 1], [10, 1]]
+[regions]
+ground = "soil"
+cut_1 = "soil"
+cut_2 = "soil"
+[materials.soil]
+model = "mohr_coulomb"
+unit_weight = 20
+cohesion = 5
+friction_angle = 30
+dilatancy_angle = 0
+tensile_strength = 0
+young_modulus = "30 MPa"
+poisson_ratio = 0.3
+[analysis]
+methods = ["fem"]
+[fem]
+size = 2
+)" + support +
+         "[[construction]]\nname = \"one\"\nduration = 1\nremove = [\"cut_1\"]\n" + stages;
+}
+
+TEST(Supports, StandOnTheGroundOfTheStageThatAddsThem) {
+  const auto write_nail = [](const char* head) {
+    return fmt::format(
+        "[support.nail]\nkind = \"nail\"\nheads = [[10, {}]]\ninclination = 10\nlength = 5\nplate = 40\n"
+        "out_of_plane_spacing = 1.5\n"
+        "tensile_strength = 120\nbond = 18\naxial_stiffness = 1e5\n",
+        head);
+  };
+  const std::string two = "[[construction]]\nname = \"two\"\nduration = 1\nremove = [\"cut_2\"]\n";
+  const std::string now = "add = [\"nail\"]\n";
+  const std::string text = write_stages(write_nail("1.5"), now + two);
+  EXPECT_TRUE(find_faults(text).empty());
+  EXPECT_TRUE(find_faults(write_stages(write_nail("0.5"), two + now)).empty());
+  expect_one_fault(write_stages(write_nail("0.5"), now + two),
+                   "the head (10, 0.5) lies in the soil, 0.5 m below the ground of stage 'one'");
+  expect_one_fault(write_stages(write_nail("1.5"), two), "lies in the soil, 0.5 m below the ground at the start");
+  const Case data = read(text);
+  const Support fixed = fix_places(data.supports.at("nail"), lay_bars(data, "nail"));
+  const BarLayout before = lay_bars(data, "nail"), after = lay_bars(fixed, {{0, 2}, {20, 2}}, metre);
+  EXPECT_EQ(after.bars.at(0).head, before.bars.at(0).head);
+  EXPECT_EQ(after.bars.at(0).end, before.bars.at(0).end);
+  EXPECT_LT(before.bars.at(0).end[0], 10) << "into the soil that stays";
+}
+
+TEST(Supports, LeaveWithTheSoilAroundThem) {
+  const std::string sheet =
+      "[support.sheet]\nkind = \"geosynthetic\"\nheads = [[20, 1.5]]\nends = [[12, 1.5]]\nstrength = 20\nconnection = "
+      "0\n"
+      "bond_friction = 20\nsheet_stiffness = 1e3\n";
+  expect_one_fault(write_stages(sheet, ""), "stage 'one' removes the soil at (20, 1.5)");
+  EXPECT_TRUE(find_faults(change(write_stages(sheet, ""), "[\"cut_1\"]", "[\"cut_1\", \"sheet\"]")).empty());
+}
+
+TEST(Supports, StrutsComeWithTheStageThatExposesTheirWall) {
+  const std::string wall =
+      "[support.sheet]\nkind = \"wall\"\nline = [[10, 2], [10, -4]]\naxial_stiffness = 2e6\n"
+      "bending_stiffness = 5e4\ninterface_strength = 0.7\nstrut_levels = [1.5, 0.5]\nstrut_stiffness = 2e4\n"
+      "strut_strength = 200\n";
+  const std::string two = "[[construction]]\nname = \"two\"\nduration = 1\nremove = [\"cut_2\"]\n";
+  const std::string first = "add = [\"sheet.strut_1\"]\n", second = "add = [\"sheet.strut_2\"]\n";
+  EXPECT_TRUE(find_faults(write_stages(wall, first + two + second)).empty());
+  expect_one_fault(write_stages(wall, first + two),
+                   "the strut at y = 0.5 m has soil on both sides of the wall at the start; let the stage that exposes "
+                   "it add \"sheet.strut_2\"");
+  expect_one_fault(write_stages(wall, "add = [\"sheet.strut_1\", \"sheet.strut_3\"]\n" + two + second),
+                   "there is no region, surcharge, support or drain 'sheet.strut_3'");
+  expect_one_fault(change(write_stages(wall, first + two + second), "[1.5, 0.5]", "[2.5, 0.5]"),
+                   "the strut at y = 2.5 m is above or below the wall");
+}
+
+TEST(Supports, WallsDoNotMeetThemselves) {
+  const auto write = [](const char* line) {
+    return slices_alone + "[support.sheet]\nkind = \"wall\"\nline = " + line + "\n";
+  };
+  expect_one_fault(write("[[40, 30], [40, 22], [39, 23], [41, 23]]"), "'line' meets itself");
+  expect_one_fault(write("[[40, 30], [40, 22], [40, 29]]"), "'line' meets itself at (40, 29)");
+  EXPECT_TRUE(find_faults(write("[[40, 30], [40, 22], [39, 23]]")).empty());
 }
 
 TEST(Supports, AnchorHasABondedPart) {

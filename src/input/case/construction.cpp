@@ -11,7 +11,7 @@
 #include <set>
 
 #include "input/case/checks.hpp"
-#include "input/case/support.hpp"
+#include "input/case/support_places.hpp"
 #include "input/language/visitor.hpp"
 #include "mesh/cover.hpp"
 #include "mesh/planar.hpp"
@@ -24,9 +24,11 @@ void describe(Visitor& v, ConstructionStage& s) {
         "How long it lasts. Its change of weights, loads and soil acts linearly over this time; with 0 at once, before "
         "any water flows.");
   v.key("add", s.add, plain().example(R"(["lift_1"])"),
-        "Regions, surcharges, supports and vertical drains that are there from now on. What no stage adds is there at "
-        "the start. Placed soil is free of stress.");
-  v.key("remove", s.remove, plain().example(R"(["cut_1"])"), "Regions, surcharges and supports that are taken away.");
+        "Regions, surcharges, supports and vertical drains that are there from now on; \"sheet.strut_1\" is the first "
+        "strut of wall `sheet`. What no stage adds is there at the start. Placed soil is free of stress, and bars with "
+        "a prestress keep it until the end of the stage.");
+  v.key("remove", s.remove, plain().example(R"(["cut_1"])"),
+        "Regions, surcharges, supports and struts that are taken away.");
   v.entries(
       "soils", s.soils, "soil", 0, plain().example(R"("clay_undrained")"),
       "Material of a region from this stage on: another strength or drainage of the same soil, whose stress stays, "
@@ -103,7 +105,10 @@ std::set<std::string> list_objects(const Case& data) {
   std::set<std::string> names;
   for (const mesh::Polygon& polygon : data.mesh.polygons) names.insert(polygon.name);
   for (const Surcharge& surcharge : data.surcharges) names.insert(surcharge.name);
-  for (const auto& [name, support] : data.supports) names.insert(name);
+  for (const auto& [name, support] : data.supports) {
+    names.insert(name);
+    for (std::size_t i = 0; i < support.strut_levels.size(); ++i) names.insert(name_strut(name, i));
+  }
   for (const VerticalDrains& drains : data.drains) names.insert(drains.name);
   return names;
 }

@@ -12,7 +12,7 @@
 #include "input/case/case.hpp"
 #include "input/case/checks.hpp"
 #include "input/case/elements_and_bounds.hpp"
-#include "input/case/support.hpp"
+#include "input/case/support_places.hpp"
 #include "mesh/ground.hpp"
 
 namespace talus::input {
@@ -382,8 +382,8 @@ void check_walls(const Case& data, Findings& findings) {
     for (const auto& [other, support] : data.supports) {
       const bool is_loose = support.kind == SupportKind::nail || support.kind == SupportKind::anchor;
       if (!is_loose || support.plate > 0) continue;
-      for (const BarLine& piece : lay_bars(wall, ground, data.units().length).bars)
-        for (const BarLine& bar : lay_bars(support, ground, data.units().length).bars)
+      for (const BarLine& piece : lay_bars(data, name).bars)
+        for (const BarLine& bar : lay_bars(data, other).bars)
           if (mesh::compute_distance(bar.head, piece.head, piece.end) <= near * (ground.back()[0] - ground.front()[0]))
             return findings.warn("support." + other + ".plate",
                                  "the head of support '{}' in row {} lies on the wall '{}' and does not hold it: "

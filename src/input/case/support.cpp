@@ -1,171 +1,22 @@
 // SPDX-License-Identifier: MIT
-// Places of the bars of [support.NAME] in the section, and the checks of patterns, resistances and places.
+// Checks of [support.NAME]: patterns, resistances and places.
 #include "input/case/support.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "base/error.hpp"
 #include "base/numbers.hpp"
 #include "input/case/case.hpp"
 #include "input/case/checks.hpp"
+#include "input/case/support_places.hpp"
 #include "input/case/support_warnings.hpp"
 #include "mesh/ground.hpp"
+#include "mesh/planar.hpp"
 
 namespace talus::input {
-
-namespace {
-
-using Point = std::array<double, 2>;
-
-/// A head within this fraction of the width of the section lies on the ground: its coordinates are rounded.
-constexpr double near_ground = 1e-3;
-
-double measure_width(const mesh::Polyline& ground) {
-  return ground.back()[0] - ground.front()[0];
-}
-
-/// Returns the levels of the ground at x, the lower and the upper end of a vertical step; nullopt beyond its ends.
-std::optional<std::array<double, 2>> find_levels(const mesh::Polyline& ground, double x) {
-  std::optional<std::array<double, 2>> levels;
-  const double slack = 1e-9 * measure_width(ground);
-  for (std::size_t i = 1; i < ground.size(); ++i) {
-    const Point &a = ground[i - 1], &b = ground[i];
-    if (x < a[0] - slack || x > b[0] + slack) continue;
-    const bool is_step = b[0] - a[0] <= slack;
-    const double t = is_step ? 0 : std::clamp((x - a[0]) / (b[0] - a[0]), 0.0, 1.0);
-    const double first = is_step ? a[1] : a[1] + t * (b[1] - a[1]), second = is_step ? b[1] : first;
-    if (!levels) levels = {first, first};
-    for (const double y : {first, second}) *levels = {std::min((*levels)[0], y), std::max((*levels)[1], y)};
-  }
-  return levels;
-}
-
-/// Returns 1 if the ground rises towards larger x at a point of it, -1 if it falls, 0 where it is level.
-int find_rise(const mesh::Polyline& ground, const Point& p) {
-  const double near = near_ground * measure_width(ground);
-  int rise = 0;
-  for (std::size_t i = 1; i < ground.size(); ++i) {
-    const Point &a = ground[i - 1], &b = ground[i];
-    const double dy = b[1] - a[1];
-    if (mesh::compute_distance(p, a, b) > near || std::abs(dy) < 1e-9 * measure_width(ground)) continue;
-    const int own = dy > 0 ? 1 : -1;
-    if (rise != 0 && rise != own) return 0;
-    rise = own;
-  }
-  return rise;
-}
-
-/// Returns the place on the ground that is `distance` further down the slope; nullopt beyond its end.
-std::optional<Point> step_down(const mesh::Polyline& ground, const Point& from, double distance, RowSpacing along) {
-  const int rise = find_rise(ground, from);
-  if (rise == 0) return std::nullopt;
-  const double near = near_ground * measure_width(ground);
-  // The walk begins on the last piece near the point.
-  const auto size = static_cast<int>(ground.size());
-  const auto corner = [&](int i) { return ground[static_cast<std::size_t>(rise > 0 ? size - 1 - i : i)]; };
-  int piece = -1;
-  for (int i = 1; i < size; ++i)
-    if (mesh::compute_distance(from, corner(i - 1), corner(i)) <= near) piece = i;
-  if (piece < 0) return std::nullopt;
-  int last = piece;  // level ground below it is the foot
-  for (int i = piece; i < size; ++i)
-    if (corner(i - 1)[1] - corner(i)[1] > 1e-9 * measure_width(ground)) last = i;
-  Point at = from;
-  double left = distance;
-  for (int i = piece; i <= last; ++i) {
-    const Point& to = corner(i);
-    const double dx = to[0] - at[0], dy = to[1] - at[1];
-    const double step = along == RowSpacing::face ? std::hypot(dx, dy) : std::max(0.0, -dy);
-    if (step >= left * (1 - 1e-12) && step > 0) return Point{at[0] + dx * left / step, at[1] + dy * left / step};
-    left -= step;
-    at = to;
-  }
-  return std::nullopt;
-}
-
-}  // namespace
-
-double BarLine::length() const {
-  return std::hypot(end[0] - head[0], end[1] - head[1]);
-}
-
-namespace {
-
-/// Lists the heads of a support, from the top of its pattern.
-std::vector<Point> list_heads(const Support& support, const mesh::Polyline& ground, const ShownUnit& unit,
-                              BarLayout& out) {
-  if (!support.heads.empty()) return support.heads;
-  std::vector<Point> heads;
-  for (const double x : support.x) {
-    const auto levels = find_levels(ground, x);
-    if (!levels) {
-      out.fault =
-          fmt::format("x = {} is not on the ground, which goes from x = {} to x = {}", format_coordinate(x, unit),
-                      format_coordinate(ground.front()[0], unit), format_coordinate(ground.back()[0], unit));
-      out.key = "x";
-      return {};
-    }
-    heads.push_back({x, (*levels)[1]});
-  }
-  if (!support.first) return heads;
-  heads.push_back(*support.first);
-  for (int row = 2; row <= support.rows; ++row) {
-    const auto next =
-        step_down(ground, heads.front(), (row - 1) * support.row_spacing.value_or(0), support.spacing_along);
-    if (!next) {
-      out.fault = fmt::format(
-          "row {} of {} lies beyond the foot of the slope below `first`, {}: fewer rows, or a smaller 'row_spacing'",
-          row, support.rows, format_point(*support.first, unit));
-      out.key = "rows";
-      return {};
-    }
-    heads.push_back(*next);
-  }
-  return heads;
-}
-
-}  // namespace
-
-BarLayout lay_bars(const Support& support, const mesh::Polyline& ground, const ShownUnit& unit) {
-  BarLayout out;
-  for (std::size_t i = 0; i + 1 < support.line.size(); ++i) out.bars.push_back({support.line[i], support.line[i + 1]});
-  if (!support.line.empty()) return out;
-  const std::vector<Point> heads = list_heads(support, ground, unit, out);
-  // A case that was checked has one length or end for each head, and a spacing of its rows.
-  const bool has_lengths =
-      support.lengths.empty() ? support.length.has_value() : support.lengths.size() == heads.size();
-  if (out.fault.empty() && (support.ends.empty() ? !has_lengths : support.ends.size() != heads.size()))
-    out.fault = "bars without a length";
-  if (!out.fault.empty()) return out;
-  const bool is_steep = support.kind == SupportKind::pile || support.kind == SupportKind::wall;
-  const double dip = support.inclination.value_or(is_steep ? std::numbers::pi / 2 : 0);
-  const bool is_upright = std::cos(dip) < 1e-9;
-  for (std::size_t i = 0; i < heads.size(); ++i) {
-    BarLine bar{heads[i], {}, static_cast<int>(i) + 1};
-    if (!support.ends.empty()) {
-      bar.end = support.ends[i];
-    } else {
-      int rise = is_upright ? 1 : find_rise(ground, bar.head);
-      if (rise == 0 && support.first) rise = find_rise(ground, *support.first);  // rows on a bench
-      if (rise == 0) {
-        out.fault = fmt::format(
-            "the side on which soil lies is not known at the head {}: it is not on an inclined part of the ground. "
-            "Give 'heads' and 'ends' instead of 'inclination' and 'length'",
-            format_point(bar.head, unit));
-        out.key = support.heads.empty() ? "first" : "heads";
-        return out;
-      }
-      const double length = support.lengths.empty() ? *support.length : support.lengths[i];
-      bar.end = {bar.head[0] + (is_upright ? 0 : rise * length * std::cos(dip)), bar.head[1] - length * std::sin(dip)};
-    }
-    out.bars.push_back(bar);
-  }
-  return out;
-}
 
 namespace {
 
@@ -253,7 +104,26 @@ class SupportCheck {
         fail("line", "'line' has the point {} twice in a row", format_point(s_.line[i], data_.units().length));
         return false;
       }
+    for (std::size_t i = 0; i + 1 < s_.line.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (const auto at = find_meeting(j, i)) {
+          fail("line", "'line' meets itself at {}; a wall goes from its head to its toe without crossing or returning",
+               format_point(*at, data_.units().length));
+          return false;
+        }
     return true;
+  }
+
+  /// Returns a place at which two pieces of the line meet, of neighbours beside their common point.
+  std::optional<PlanePoint> find_meeting(std::size_t first, std::size_t second) const {
+    const PlanePoint &a = s_.line[first], &b = s_.line[first + 1], &c = s_.line[second], &d = s_.line[second + 1];
+    const double slack = 1e-9 * (std::hypot(b[0] - a[0], b[1] - a[1]) + std::hypot(d[0] - c[0], d[1] - c[1]));
+    if (mesh::compute_distance(d, a, b) <= slack) return d;
+    if (second == first + 1) return mesh::compute_distance(a, c, d) <= slack ? std::optional(a) : std::nullopt;
+    for (const PlanePoint* p : {&a, &b})
+      if (mesh::compute_distance(*p, c, d) <= slack) return *p;
+    if (mesh::compute_distance(c, a, b) <= slack) return c;
+    return do_cross({a, b}, {c, d}) ? std::optional(c) : std::nullopt;
   }
 
   bool check_ends(std::size_t bars) const {
@@ -334,14 +204,14 @@ class SupportCheck {
   void check_places() const {
     mesh::Polyline ground;
     try {
-      ground = mesh::find_ground(data_.mesh);
+      ground = find_placing_ground(data_, name_);
     } catch (const Error&) {
       return;  // the methods that need the ground report its fault
     }
-    std::vector<Point> heads = s_.heads;
+    std::vector<PlanePoint> heads = s_.heads;
     if (s_.first) heads.push_back(*s_.first);
     if (!s_.line.empty()) heads.push_back(s_.line.front());
-    for (const Point& head : heads)
+    for (const PlanePoint& head : heads)
       if (!check_head(head, ground)) return;
     const BarLayout layout = lay_bars(s_, ground, data_.units().length);
     if (!layout.fault.empty()) return fail(layout.key, "{}", std::string(layout.fault));
@@ -349,6 +219,74 @@ class SupportCheck {
       if (!check_lengths(bar)) return;
       if (!check_place(bar, ground)) return;
     }
+    check_later_stages(layout);
+    for (std::size_t i = 0; i < s_.strut_levels.size(); ++i)
+      if (!check_strut(layout, i)) return;
+  }
+
+  /// Checks that a strut stands on a side of the wall without soil, in the stage that adds it.
+  bool check_strut(const BarLayout& layout, std::size_t i) const {
+    for (const char* key : {"strut_levels", "strut_stiffness", "strut_strength", "strut_prestress"})
+      if (!block_.is_sound(key)) return false;
+    const double level = s_.strut_levels[i];
+    const auto stage = std::max(find_placing_stage(data_, name_), find_placing_stage(data_, name_strut(name_, i)));
+    const auto ground = data_.construction.empty() ? mesh::find_ground(data_.mesh) : find_stage_ground(data_, stage);
+    if (!ground) return true;
+    const double beside = 1e-6 * measure_width(*ground);
+    bool is_on_wall = false;
+    for (const BarLine& piece : layout.bars) {
+      const double rise = piece.end[1] - piece.head[1], t = rise != 0 ? (level - piece.head[1]) / rise : -1;
+      if (!(t >= 0 && t <= 1)) continue;
+      is_on_wall = true;
+      const double x = piece.head[0] + t * (piece.end[0] - piece.head[0]);
+      for (const double side : {-beside, beside}) {
+        const auto levels = find_levels(*ground, x + side);
+        if (!levels || (*levels)[0] <= level + beside) return true;
+      }
+    }
+    const std::string where = stage ? fmt::format(" in stage '{}'", data_.construction[*stage].name)
+                              : data_.construction.empty() ? ""
+                                                           : " at the start";
+    fail("strut_levels", "the strut at y = {} {}{}{}", format_coordinate(level, data_.units().length),
+         is_on_wall ? "has soil on both sides of the wall" : "is above or below the wall", where,
+         is_on_wall && !data_.construction.empty()
+             ? fmt::format("; let the stage that exposes it add \"{}\"", name_strut(name_, i))
+             : "");
+    return false;
+  }
+
+  /// Names the ground on which the support is placed.
+  std::string name_ground() const {
+    if (data_.construction.empty()) return "the ground";
+    const auto stage = find_placing_stage(data_, name_);
+    return stage ? fmt::format("the ground of stage '{}'", data_.construction[*stage].name) : "the ground at the start";
+  }
+
+  /// Checks that no stage takes the soil around a support and leaves the support in the air.
+  void check_later_stages(const BarLayout& layout) const {
+    for (std::size_t k = 0; k < data_.construction.size(); ++k) {
+      if (data_.construction[k].remove.empty() || !is_there(data_, name_, k)) continue;
+      const auto ground = find_stage_ground(data_, k);
+      if (!ground) continue;
+      const double near = near_ground * measure_width(*ground);
+      for (const BarLine& bar : layout.bars)
+        for (int i = 0; i <= places_of_bar; ++i) {
+          const PlanePoint p = find_point(bar, i);
+          const auto levels = find_levels(*ground, p[0]);
+          if (levels && p[1] <= (*levels)[1] + near) continue;
+          return fail("",
+                      "stage '{}' removes the soil at {}, where row {} of the support is: it must 'remove' the "
+                      "support as well",
+                      data_.construction[k].name, format_point(p, data_.units().length), bar.row);
+        }
+    }
+  }
+
+  static constexpr int places_of_bar = 50;
+  /// Returns a point of a bar, the head for 0 and the end for `places_of_bar`.
+  static PlanePoint find_point(const BarLine& bar, int i) {
+    const double t = static_cast<double>(i) / places_of_bar;
+    return {bar.head[0] + t * (bar.end[0] - bar.head[0]), bar.head[1] + t * (bar.end[1] - bar.head[1])};
   }
 
   bool check_lengths(const BarLine& bar) const {
@@ -365,7 +303,7 @@ class SupportCheck {
     return false;
   }
 
-  bool check_head(const Point& head, const mesh::Polyline& ground) const {
+  bool check_head(const PlanePoint& head, const mesh::Polyline& ground) const {
     const ShownUnit& unit = data_.units().length;
     const double near = near_ground * measure_width(ground);
     const std::string head_key = !s_.line.empty() ? "line" : s_.heads.empty() ? "first" : "heads";
@@ -374,13 +312,13 @@ class SupportCheck {
     const bool may_be_buried =
         s_.kind == SupportKind::geosynthetic || s_.kind == SupportKind::pile || s_.kind == SupportKind::wall;
     if (!levels || (head[1] > (*levels)[1] && off > near)) {
-      fail(head_key, "the head {} lies in the air, {} from the ground", format_point(head, unit),
-           format_value(off, unit, 3));
+      fail(head_key, "the head {} lies in the air, {} from {}", format_point(head, unit), format_value(off, unit, 3),
+           name_ground());
       return false;
     }
     if (off > near && !may_be_buried) {
-      fail(head_key, "the head {} lies in the soil, {} below the ground; heads of nails, anchors and bolts lie on it",
-           format_point(head, unit), format_value(off, unit, 3));
+      fail(head_key, "the head {} lies in the soil, {} below {}; heads of nails, anchors and bolts lie on it",
+           format_point(head, unit), format_value(off, unit, 3), name_ground());
       return false;
     }
     if (off > near && s_.connection > 0) {
@@ -395,10 +333,8 @@ class SupportCheck {
     const ShownUnit& unit = data_.units().length;
     const double near = near_ground * measure_width(ground);
     const double bottom = SoilOutline(data_.mesh).bottom();
-    constexpr int places = 50;
-    for (int i = 1; i <= places; ++i) {
-      const double t = static_cast<double>(i) / places;
-      const Point p{bar.head[0] + t * (bar.end[0] - bar.head[0]), bar.head[1] + t * (bar.end[1] - bar.head[1])};
+    for (int i = 1; i <= places_of_bar; ++i) {
+      const PlanePoint p = find_point(bar, i);
       const auto here = find_levels(ground, p[0]);
       const bool is_in_air = !here || p[1] > (*here)[1] + near, is_below = p[1] < bottom - near;
       if (!is_in_air && !is_below) continue;

@@ -4,26 +4,15 @@
 #include <utility>
 #include <vector>
 
-#include "base/error.hpp"
 #include "input/case/case.hpp"
 #include "input/case/checks.hpp"
 #include "input/case/support.hpp"
-#include "mesh/ground.hpp"
+#include "input/case/support_places.hpp"
 
 namespace talus::input {
 
 namespace {
 
-/// Returns true if two bars cross between their ends.
-bool do_cross(const BarLine& a, const BarLine& b) {
-  const auto turn = [](const auto& p, const auto& q, const auto& r) {
-    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
-  };
-  return turn(a.head, a.end, b.head) * turn(a.head, a.end, b.end) < 0 &&
-         turn(b.head, b.end, a.head) * turn(b.head, b.end, a.end) < 0;
-}
-
-/// Warns of bars that cross: in the section they share a place, which bars side by side may do.
 /// Warns of a prestress of zero, next to which LEM jumps, and of plastic moments that LEM leaves out.
 void warn_of_lem(const Case& data, Findings& findings) {
   if (!uses(data, Method::lem)) return;
@@ -42,16 +31,11 @@ void warn_of_lem(const Case& data, Findings& findings) {
   }
 }
 
+/// Warns of bars that cross: in the section they share a place, which bars side by side may do.
 void warn_of_crossings(const Case& data, Findings& findings) {
-  mesh::Polyline ground;
-  try {
-    ground = mesh::find_ground(data.mesh);
-  } catch (const Error&) {
-    return;
-  }
   std::vector<std::pair<const std::string*, BarLine>> bars;
   for (const auto& [name, support] : data.supports)
-    for (const BarLine& bar : lay_bars(support, ground, data.units().length).bars) bars.emplace_back(&name, bar);
+    for (const BarLine& bar : lay_bars(data, name).bars) bars.emplace_back(&name, bar);
   for (std::size_t i = 0; i < bars.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) {
       const auto& [name, bar] = bars[i];
