@@ -58,6 +58,7 @@ void describe(Visitor& v, ConstructionLine& r) {
 
 void describe(Visitor& v, ConstructionSupport& r) {
   v.key("support", r.support, {"", "name of the support"});
+  v.maybe("row", r.row, {"", "row from the top of the pattern, or number of its head"});
   v.key("place", r.place, {"m", "distances from the head"});
   v.key("force", r.force, {"N/m", "axial force there, per metre of slope"});
   v.key("moment", r.moment, {"N.m/m", "bending moment there; empty for bars without bending stiffness"});
@@ -66,6 +67,11 @@ void describe(Visitor& v, ConstructionSupport& r) {
   v.key("largest_moment", r.largest_moment, {"N.m/m", "largest absolute bending moment"});
   v.key("largest_shear", r.largest_shear, {"N/m", "largest absolute shear force"});
   v.key("head_force", r.head_force, {"N/m", "force of plate, facing or connection"});
+  v.maybe("deflection_place", r.deflection_place, {"m", "of a wall: distances of its deflections from the head"});
+  v.maybe("deflection", r.deflection,
+          {"m", "of a wall: displacement since it was placed, towards the left of the way from its head to its toe"});
+  v.maybe("largest_deflection", r.largest_deflection, {"m", "deflection of the largest absolute value"});
+  v.maybe("struts", r.struts, {"N/m", "of a wall: compression of its struts, from the head"});
 }
 
 void describe(Visitor& v, StageFactor& r) {

@@ -69,12 +69,17 @@ void describe(Visitor& v, ConstructionLine& r);
 /// Forces of a support at the end of a stage, per metre of slope; tension is positive.
 struct ConstructionSupport {
   std::string support;                       ///< name in the case
+  std::optional<int> row;                    ///< from the top of the pattern, or number of the head
   std::vector<double> place;                 ///< distance from the head [m]
   std::vector<double> force, moment, shear;  ///< there [N/m], [N m/m], [N/m]; the latter two empty without bending
   double largest_force = 0;                  ///< [N/m]; of the largest absolute value, with its sign
   double largest_moment = 0;                 ///< [N m/m]; largest absolute value
   double largest_shear = 0;                  ///< [N/m]; largest absolute value
   double head_force = 0;                     ///< of plate, facing or connection [N/m]
+  /// Of walls: displacement since they were placed, towards the left of the way from head to toe [m], and its places.
+  std::optional<std::vector<double>> deflection_place, deflection;
+  std::optional<double> largest_deflection;   ///< of the largest absolute value, with its sign [m]
+  std::optional<std::vector<double>> struts;  ///< of walls with struts: compression, from the head [N/m]
 };
 void describe(Visitor& v, ConstructionSupport& r);
 

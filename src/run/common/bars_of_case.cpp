@@ -7,7 +7,7 @@
 #include <cmath>
 #include <memory>
 
-#include "input/case/support.hpp"
+#include "input/case/support_places.hpp"
 #include "lem/section/bars.hpp"
 #include "mesh/planar.hpp"
 #include "run/common/head.hpp"
@@ -123,10 +123,16 @@ class BarMaker {
     if (bar.plate > 0) {
       out.plate = std::min(bar.plate, strong * bar.tensile);
       out.plate_stiffness = std::min(bar.plate, bar.tensile) / yield_slip;
-      out.plate_line = cut_ground(site_.ground(), bar.head, find_plate_width(bars_, i));
+      if (!is_buried(bar.head)) out.plate_line = cut_ground(site_.ground(), bar.head, find_plate_width(bars_, i));
       if (const auto wall = find_wall(site_, walls_, bar.head)) out.wall = static_cast<int>(*wall);
     }
     return out;
+  }
+
+  /// Returns true for a head on which a later stage of construction has placed soil.
+  bool is_buried(const site::Point& head) const {
+    const site::Polyline& ground = site_.ground();
+    return mesh::compute_distance(head, ground) > input::near_ground * input::measure_width(ground);
   }
 
   void make_beam(const site::Bar& bar, fem::Bar& out) const {

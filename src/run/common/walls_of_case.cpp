@@ -9,7 +9,7 @@
 #include <set>
 
 #include "base/error.hpp"
-#include "input/case/support.hpp"
+#include "input/case/support_places.hpp"
 #include "mesh/generate.hpp"
 #include "mesh/planar.hpp"
 #include "mesh/split.hpp"
@@ -183,7 +183,11 @@ site::Point find_nearest(const site::Polyline& line, const site::Point& p) {
 mesh::Plan conform_to_walls(const site::Site& site, mesh::Plan plan, const std::vector<site::Point>& more) {
   if (plan.dimension != 2 || !plan.file.empty() || plan.polygons.empty()) return plan;
   const std::vector<WallLine> walls = list_walls(site);
-  if (walls.empty()) return plan;
+  return walls.empty() ? plan : conform_to_walls(walls, input::measure_width(site.ground()), std::move(plan), more);
+}
+
+mesh::Plan conform_to_walls(const std::vector<WallLine>& walls, double width, mesh::Plan plan,
+                            const std::vector<site::Point>& more) {
   std::vector<site::Point> places;
   for (const WallLine& wall : walls) {
     site::Polyline points = wall.points;
@@ -191,7 +195,7 @@ mesh::Plan conform_to_walls(const site::Site& site, mesh::Plan plan, const std::
     places.insert(places.end(), points.begin(), points.end());
     plan.lines.push_back({fmt::format("[support.{}] {}", wall.support, wall.row), points});
   }
-  return site::add_corners(std::move(plan), places, 1e-9 * (site.ground().back()[0] - site.ground().front()[0]));
+  return site::add_corners(std::move(plan), places, 1e-9 * width);
 }
 
 bool has_impermeable_walls(const input::Case& data) {

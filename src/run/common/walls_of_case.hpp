@@ -32,6 +32,10 @@ site::Point find_nearest(const site::Polyline& line, const site::Point& p);
 /// on the ground as corners.
 mesh::Plan conform_to_walls(const site::Site& site, mesh::Plan plan, const std::vector<site::Point>& places = {});
 
+/// The same for given walls in a section of this width [m].
+mesh::Plan conform_to_walls(const std::vector<WallLine>& walls, double width, mesh::Plan plan,
+                            const std::vector<site::Point>& places = {});
+
 /// Returns true if the case has walls through which no water seeps.
 bool has_impermeable_walls(const input::Case& data);
 

@@ -22,9 +22,11 @@
 #include "results/governing.hpp"
 #include "results/json.hpp"
 #include "run/common/method_run.hpp"
+#include "run/common/walls_of_case.hpp"
 #include "run/construction/stage_factors.hpp"
 #include "run/fem/start_stress.hpp"
 #include "run/mpm/point_run.hpp"
+#include "site/supports.hpp"
 
 namespace talus::run {
 namespace {
@@ -56,6 +58,20 @@ bool unflatten(const std::vector<double>& numbers, std::vector<Entry>& entries) 
   entries.resize(numbers.size() / size);
   for (std::size_t i = 0; i < numbers.size(); ++i) entries[i / size][i % size] = numbers[i];
   return true;
+}
+
+/// Returns the forces of the bars and walls of a stage; none without supports.
+std::vector<fem::BarForces> list_forces(const StageModel& stage, const fem::SolidState<2>& solid) {
+  const fem::SolidModel<2>& model = stage.solid.model;
+  if (model.bars.empty() && model.walls.empty()) return {};
+  return fem::compute_bar_forces(model, solid);
+}
+
+double find_largest(const std::vector<double>& values) {
+  double largest = 0;
+  for (const double v : values)
+    if (std::abs(v) > std::abs(largest)) largest = v;
+  return largest;
 }
 
 }  // namespace
@@ -102,13 +118,13 @@ void ConstructionRun::find_start() {
 bool ConstructionRun::restore() {
   if (!options_.resume) return false;
   auto known = results::find_file<results::ConstructionRestart>(options_.folder / restart_file);
-  if (!known || known->input_hash != hash_ || known->summary.stages.empty() ||
-      known->head.size() != mesh_->nodes.size() || known->start_pressure.size() != mesh_->nodes.size())
-    return false;
+  if (!known || known->input_hash != hash_ || known->summary.stages.empty()) return false;
   const int last = static_cast<int>(known->summary.stages.size()) - 1;
   // The mesh of the stage before, which the water of its start is read on.
   const auto before = make_stage_model(data_, last - 1, mesh_, nullptr);
-  auto stage = make_stage_model(data_, last, mesh_, make_known_water(*before->solid.mesh, known->start_pressure));
+  if (known->start_pressure.size() != before->elevation.size()) return false;
+  auto stage = make_stage_model(data_, last, mesh_, make_known_water(*before->water_mesh, known->start_pressure));
+  if (known->head.size() != stage->elevation.size()) return false;
   fem::SolidState<2> solid;
   if (!unflatten(known->displacement, solid.displacement) || !unflatten(known->stress, solid.stress) ||
       !unflatten(known->strain, solid.strain))
@@ -207,8 +223,8 @@ bool ConstructionRun::run_stage(int number) {
   show(fmt::format("stage '{}'", asked.name));
   start_pressure_ = find_pressures(*stage_, state_.head);
   std::unique_ptr<StageModel> next =
-      make_stage_model(data_, number, mesh_, make_known_water(*stage_->solid.mesh, start_pressure_));
-  SteadyWater steady(*next, steady_head_, result.from, result.to);
+      make_stage_model(data_, number, mesh_, make_known_water(*stage_->water_mesh, start_pressure_));
+  SteadyWater steady(*next, map_nodes(*stage_, steady_head_, *next), result.from, result.to);
   if (next->is_wet && asked.drainage == input::StageDrainage::undrained)
     next->model.drainage = fem::StageDrainage::undrained;
   if (next->is_wet && asked.drainage == input::StageDrainage::drained) {
@@ -217,6 +233,7 @@ bool ConstructionRun::run_stage(int number) {
   }
   fem::ConsolidationState<2> start = fem::carry_state<2>(stage_->model, state_, next->model, next->elevation);
   if (asked.reset_displacement) std::fill(start.solid.displacement.begin(), start.solid.displacement.end(), Vec<2>{});
+  const std::vector<fem::BarForces> supports_before = list_forces(*next, start.solid);
   const fem::ConsolidationResult<2> found = fem::run_stage<2>(
       next->model, start, make_schedule(number),
       [&](const fem::ConsolidationStep& step, const fem::SolidState<2>& solid, const std::vector<double>& head) {
@@ -235,7 +252,7 @@ bool ConstructionRun::run_stage(int number) {
   stage_ = std::move(next);
   state_ = found.outputs.back().at;
   record_->add_stage(asked.name, *stage_, state_);
-  add_supports(result);
+  add_supports(number, supports_before, result);
   if (!found.converged) {
     result.error = fmt::format(
         "no equilibrium beyond {:.3g} % of the change of stage '{}', at {}: the soil fails there or moves by more than "
@@ -274,16 +291,15 @@ void ConstructionRun::add_step(const StageModel& stage, const fem::Consolidation
   record_->add_step(step.time, stage, solid, head);
 }
 
-void ConstructionRun::add_supports(results::ConstructionStage& result) const {
+void ConstructionRun::add_supports(int number, const std::vector<fem::BarForces>& start,
+                                   results::ConstructionStage& result) const {
   const fem::SolidModel<2>& model = stage_->solid.model;
   if (model.bars.empty() && model.walls.empty()) return;
-  const std::vector<fem::BarForces> forces = fem::compute_bar_forces(model, state_.solid);
-  const auto find_largest = [](const std::vector<double>& values) {
-    double largest = 0;
-    for (const double v : values)
-      if (std::abs(v) > std::abs(largest)) largest = v;
-    return largest;
-  };
+  const std::vector<fem::BarForces> forces = list_forces(*stage_, state_.solid);
+  const site::Site site(stage_->data);
+  std::vector<site::Bar> bars = site::list_bars(site);
+  std::erase_if(bars, [](const site::Bar& bar) { return bar.kind == input::SupportKind::wall; });
+  const std::vector<WallLine> walls = list_walls(site);
   for (std::size_t i = 0; i < forces.size(); ++i) {
     results::ConstructionSupport& out = result.supports.emplace_back();
     out.support = i < model.bars.size() ? model.bars[i].name : model.walls[i - model.bars.size()].name;
@@ -295,14 +311,38 @@ void ConstructionRun::add_supports(results::ConstructionStage& result) const {
     out.largest_moment = std::abs(find_largest(out.moment));
     out.largest_shear = std::abs(find_largest(out.shear));
     out.head_force = forces[i].plate;
+    out.row = i < bars.size() ? bars[i].row : walls[i - bars.size()].row;
+    if (!forces[i].strut.value.empty()) out.struts = forces[i].strut.value;
+    if (i >= bars.size()) add_deflection(number, start[i], forces[i], out);
   }
+}
+
+/// Adds the motion of a wall in this stage to that of the stage before.
+void ConstructionRun::add_deflection(int number, const fem::BarForces& start, const fem::BarForces& now,
+                                     results::ConstructionSupport& out) const {
+  constexpr double same_place = 1e-9;
+  const fem::BarCurve &before = start.deflection, &after = now.deflection;
+  const results::ConstructionSupport* last = nullptr;
+  if (number > 0 && !data_.construction[static_cast<std::size_t>(number)].reset_displacement)
+    for (const results::ConstructionSupport& s : summary_.stages[static_cast<std::size_t>(number) - 1].supports)
+      if (s.support == out.support && s.row == out.row && s.deflection) last = &s;
+  const auto find_last = [&](double place) {
+    for (std::size_t i = 0; last && i < last->deflection->size(); ++i)
+      if (std::abs((*last->deflection_place)[i] - place) < same_place) return (*last->deflection)[i];
+    return 0.0;
+  };
+  out.deflection_place = after.place;
+  out.deflection.emplace();
+  for (std::size_t i = 0; i < after.place.size(); ++i)
+    out.deflection->push_back(find_last(after.place[i]) + after.value[i] - before.value[i]);
+  out.largest_deflection = find_largest(*out.deflection);
 }
 
 /// Returns the case of the methods at the end of the last stage, with its pore pressures and stresses.
 input::Case ConstructionRun::make_later_case() const {
   input::Case later = stage_->data;
   if (stage_->is_wet)
-    later.initial.water.known = make_known_water(*stage_->solid.mesh, find_pressures(*stage_, state_.head));
+    later.initial.water.known = make_known_water(*stage_->water_mesh, find_pressures(*stage_, state_.head));
   auto stress = std::make_shared<input::KnownStress>();
   stress->mesh = *stage_->solid.mesh;
   stress->elements.resize(mesh_->elements.size());
@@ -379,9 +419,12 @@ void ConstructionRun::add_factors(int number, results::ConstructionStage& result
   const RunOptions options = options_.make_nested(join_name(options_.folder, result.folder));
   input::Case later = make_later_case();
   std::erase(later.methods, Method::mpm);
+  const fem::SolidModel<2>& model = stage_->solid.model;
+  std::vector<fem::KnownSpring> known;
+  if (!model.bars.empty() || !model.walls.empty()) known = fem::list_known_springs(model, state_.solid);
   StageFactors found =
       find_stage_factors(loaded_, later, fmt::format("{}, end of stage '{}'", data_.title, result.name), options,
-                         fmt::format("{}-{}", hash_, number));
+                         fmt::format("{}-{}", hash_, number), known);
   result.factors = std::move(found.factors);
   add_warnings(result.name, found.warnings);
   const bool holds_undrained = !keeps_excess(result) || add_undrained_factors(later, number, result);

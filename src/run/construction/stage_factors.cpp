@@ -62,7 +62,8 @@ results::StageFactor make_bounds_factor(const results::RunResult& run) {
 }  // namespace
 
 StageFactors find_stage_factors(const input::LoadedCase& loaded, const input::Case& later, const std::string& title,
-                                const RunOptions& options, const std::string& hash) {
+                                const RunOptions& options, const std::string& hash,
+                                const std::vector<fem::KnownSpring>& known) {
   make_folder(options.folder);
   const site::Site site(later);
   results::RunResult run = begin_result(loaded, hash, options.threads);
@@ -87,7 +88,8 @@ StageFactors find_stage_factors(const input::LoadedCase& loaded, const input::Ca
       }))
     factors.push_back(make_slices_factor(run));
   if (input::uses(later, Method::fem) && !fails(Method::fem, "FEM", [&] {
-        elements.emplace(site, false, options, hash).prepare();
+        elements.emplace(site, false, options, hash).start_supports(known);
+        elements->prepare();
         elements->calculate();
         elements->write_result(run);
       }))

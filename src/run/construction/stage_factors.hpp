@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "fem/solid/solid.hpp"
 #include "input/read.hpp"
 #include "results/run.hpp"
 #include "run/common/run_folder.hpp"
@@ -19,8 +20,10 @@ struct StageFactors {
 /// Runs LEM, FEM and limit analysis, those that the case names, on `later`, the case at the end of a stage. Their
 /// results are written into the folder of `options` as those of a run of `later` with this title. Throws Error
 /// (interrupted); other errors are part of the factors.
+/// `known`: the deformations of bars and walls at that end, for FEM.
 StageFactors find_stage_factors(const input::LoadedCase& loaded, const input::Case& later, const std::string& title,
-                                const RunOptions& options, const std::string& hash);
+                                const RunOptions& options, const std::string& hash,
+                                const std::vector<fem::KnownSpring>& known = {});
 
 /// Runs LEM and limit analysis, those that the case names, for a failure without drainage from `later`, whose stresses
 /// are known. Each repeats with the strengths of its own factor. Results and errors are as those of

@@ -8,7 +8,9 @@
 #include <numeric>
 
 #include "base/error.hpp"
+#include "input/case/support_places.hpp"
 #include "run/common/bedding_lines.hpp"
+#include "run/common/walls_of_case.hpp"
 #include "run/timeline/moment.hpp"
 #include "site/ground_load.hpp"
 #include "site/initial_water.hpp"
@@ -140,6 +142,31 @@ void make_effective(StageModel& stage, const std::vector<double>& head) {
   }
 }
 
+/// Throws unless walls in soil with pore water of its own are permeable or not.
+void check_permeable(const input::Case& data, const StageModel& stage) {
+  for (const fem::Wall& wall : stage.solid.model.walls)
+    if (stage.is_wet && !data.supports.at(wall.name).permeable)
+      throw Error(ExitCode::wrong_input,
+                  fmt::format("support '{}': give 'permeable'; in stages of construction water flows in the soil, "
+                              "which a wall with permeable = false stops and one with permeable = true does not",
+                              wall.name));
+}
+
+/// Lets the bars that were there before carry the force of their state, and those of this stage their prestress.
+void lock_off(const input::Case& data, int number, StageModel& stage) {
+  stage.model.is_jacking = true;
+  for (fem::Bar& bar : stage.solid.model.bars)
+    if (is_there(data, bar.name, number - 1)) bar.prestress = 0;
+  for (fem::Wall& wall : stage.solid.model.walls) {
+    if (!is_there(data, wall.name, number - 1)) continue;
+    const std::vector<double>& levels = data.supports.at(wall.name).strut_levels;
+    for (std::size_t i = 0; i < levels.size(); ++i)
+      for (fem::Strut& strut : wall.struts)
+        if (strut.level == levels[i] && is_there(data, input::name_strut(wall.name, i), number - 1))
+          strut.prestress = 0;
+  }
+}
+
 }  // namespace
 
 input::Case make_stage_case(const input::Case& data, int number) {
@@ -149,6 +176,13 @@ input::Case make_stage_case(const input::Case& data, int number) {
   std::erase_if(stage.surcharges, is_gone);
   std::erase_if(stage.drains, is_gone);
   std::erase_if(stage.supports, [&](const auto& entry) { return !is_there(data, entry.first, number); });
+  for (auto& [name, support] : stage.supports) {
+    support = input::fix_places(support, input::lay_bars(data, name));
+    support.strut_levels.clear();
+    const std::vector<double>& levels = data.supports.at(name).strut_levels;
+    for (std::size_t i = 0; i < levels.size(); ++i)
+      if (is_there(data, input::name_strut(name, i), number)) support.strut_levels.push_back(levels[i]);
+  }
   for (int k = 0; k <= number; ++k)
     for (const auto& [region, soil] : data.construction[static_cast<std::size_t>(k)].soils)
       stage.regions[region] = soil;
@@ -167,13 +201,30 @@ double find_stage_start(const input::Case& data, int number) {
 
 std::shared_ptr<const mesh::Mesh<2>> make_whole_mesh(const input::Case& data, std::vector<std::string>& notes) {
   mesh::Plan plan = data.mesh;
+  std::vector<WallLine> walls;
+  double width = 0;
   for (int k = before_stages; k < static_cast<int>(data.construction.size()); ++k) {
     const site::Site site(begin_later(make_stage_case(data, k), k < 0 ? 0 : find_stage_end(data, k), nullptr));
-    if (site.has_ground()) plan = site::conform_to_loads(site, std::move(plan));
+    if (!site.has_ground()) continue;
+    plan = site::conform_to_loads(site, std::move(plan));
+    width = std::max(width, input::measure_width(site.ground()));
+    for (WallLine& wall : list_walls(site))
+      if (std::none_of(walls.begin(), walls.end(), [&](const WallLine& w) { return w.points == wall.points; }))
+        walls.push_back(std::move(wall));
   }
+  if (!walls.empty()) plan = conform_to_walls(walls, width, std::move(plan));
   plan.algorithm = data.fem.algorithm;
   if (data.fem.size) plan = mesh::resize(std::move(plan), *data.fem.size);
   return std::make_shared<const mesh::Mesh<2>>(generate_along_bedding<2>(data, plan, notes));
+}
+
+std::vector<double> map_nodes(const StageModel& from, const std::vector<double>& values, const StageModel& to) {
+  std::vector<double> mapped(to.water_mesh->nodes.size());
+  for (std::size_t e = 0; e < to.water_mesh->elements.size(); ++e)
+    for (std::size_t i = 0; i < 3; ++i)
+      mapped[static_cast<std::size_t>(to.water_mesh->elements[e][i])] =
+          values[static_cast<std::size_t>(from.water_mesh->elements[e][i])];
+  return mapped;
 }
 
 std::vector<double> find_heads(const StageModel& stage, const std::vector<double>& pressure) {
@@ -195,15 +246,21 @@ std::unique_ptr<StageModel> make_stage_model(const input::Case& data, int number
   const auto mesh = make_stage_mesh(data, number, *whole);
   input::Case then = make_stage_case(data, number);
   std::erase_if(then.hydraulics, [&](const input::Hydraulic& h) { return !bounds_soil(*mesh, h.on); });
-  for (const auto& x : mesh->nodes) stage->elevation.push_back(x[1]);
   stage->data = begin_later(then, number == before_stages ? 0 : find_stage_end(data, number), std::move(water));
-  stage->solid = make_solid_on<2>(site::Site(stage->data), mesh);
+  const site::Site site(stage->data);
+  stage->solid = make_solid_on<2>(site, mesh);
   check_borne(data, number, stage->solid);
+  if (number != before_stages) lock_off(data, number, *stage);
   stage->is_wet = std::any_of(then.mesh.polygons.begin(), then.mesh.polygons.end(), [&](const mesh::Polygon& p) {
     return then.materials.at(then.regions.at(p.name)).water.is_wet();
   });
+  check_permeable(then, *stage);
+  stage->water_mesh = mesh;
+  if (stage->is_wet && has_impermeable_walls(then))
+    stage->water_mesh = std::make_shared<const mesh::Mesh<2>>(cut_at_walls(site, *mesh));
+  for (const auto& x : stage->water_mesh->nodes) stage->elevation.push_back(x[1]);
   if (stage->is_wet) {
-    stage->flow = site::make_seepage_model<2>(then, *mesh, stage->wet_mesh);
+    stage->flow = site::make_seepage_model<2>(then, *stage->water_mesh, stage->wet_mesh);
     for (auto& soil : stage->flow.soils) soil.skeleton_compressibility = 0;  // that of the solid
   } else {
     make_dry_flow(*stage);
@@ -224,7 +281,8 @@ std::unique_ptr<StageModel> make_stage_model(const input::Case& data, int number
   add_drains(stage->data, *stage);
   if (number == before_stages) {
     const std::vector<double> head =
-        stage->is_wet ? find_heads(*stage, site::find_nodal_pressure<2>(stage->data, *mesh)) : stage->elevation;
+        stage->is_wet ? find_heads(*stage, site::find_nodal_pressure<2>(stage->data, *stage->water_mesh))
+                      : stage->elevation;
     make_effective(*stage, head);
     stage->model.steady_head = head;
   }

@@ -33,10 +33,11 @@ struct StageModel {
   input::Case data;  ///< of the stage; the loads and weights are those of its end
   SolidOfCase<2> solid;
   mesh::Mesh<2> wet_mesh;
+  std::shared_ptr<const mesh::Mesh<2>> water_mesh;  ///< of the heads: that of the solid, cut at impermeable walls
   fem::SeepageModel<2> flow;
   fem::ConsolidationModel<2> model;
   bool is_wet = false;            ///< some soil has pore water
-  std::vector<double> elevation;  ///< per node [m]
+  std::vector<double> elevation;  ///< per node of water_mesh [m]
 
   StageModel() = default;
   StageModel(const StageModel&) = delete;
@@ -47,6 +48,9 @@ struct StageModel {
 std::unique_ptr<StageModel> make_stage_model(const input::Case& data, int number,
                                              const std::shared_ptr<const mesh::Mesh<2>>& whole,
                                              std::shared_ptr<const input::KnownWater> water);
+
+/// Returns values per node of the mesh of the water of one stage for that of another one.
+std::vector<double> map_nodes(const StageModel& from, const std::vector<double>& values, const StageModel& to);
 
 /// Returns heads per node [m] from pore pressures, positive in tension [Pa], and back.
 std::vector<double> find_heads(const StageModel& stage, const std::vector<double>& pressure);

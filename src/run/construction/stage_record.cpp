@@ -101,7 +101,7 @@ class StageRecord::Reader {
         values.displacement[d] += shape[i] * solid_.displacement[static_cast<std::size_t>(nodes[i])][d];
     const auto whole = static_cast<std::size_t>(inside->element);
     if (holds_water(whole)) {
-      const auto& corners = record_.mesh_->elements[whole];
+      const auto& corners = stage_.water_mesh->elements[whole];
       for (std::size_t i = 0; i < 3; ++i) {
         const auto n = static_cast<std::size_t>(corners[i]);
         const auto [pressure, excess] = record_.find_pressures(stage_, head_, n);
@@ -211,9 +211,10 @@ void StageRecord::add_stage(const std::string& name, const StageModel& stage, co
         fields.pressure[static_cast<std::size_t>(mesh_->elements[e][i])] = find_given_pressures(stage, e)[i];
   for (std::size_t e = 0; e < mesh_->elements.size(); ++e)
     if (reader.holds_water(e))
-      for (const int node : mesh_->elements[e]) {
-        const auto n = static_cast<std::size_t>(node);
-        std::tie(fields.pressure[n], fields.excess[n]) = find_pressures(stage, state.head, n);
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto n = static_cast<std::size_t>(mesh_->elements[e][i]),
+                   w = static_cast<std::size_t>(stage.water_mesh->elements[e][i]);
+        std::tie(fields.pressure[n], fields.excess[n]) = find_pressures(stage, state.head, w);
       }
   for (std::size_t i = 0; i < mesh_->nodes.size(); ++i) {
     fields.displacement_x.push_back(state.solid.displacement[i][0]);

@@ -208,6 +208,12 @@ void ElementRun<D>::prepare() {
 template <int D>
 auto ElementRun<D>::make_model(double share) const -> std::unique_ptr<Model> {
   SolidOfCase<D> solid = make_solid<D>(site_, share);
+  if (!known_springs_.empty()) {
+    solid.model.known_springs = known_springs_;
+    for (fem::Bar& bar : solid.model.bars) bar.prestress = 0;
+    for (fem::Wall& wall : solid.model.walls)
+      for (fem::Strut& strut : wall.struts) strut.prestress = 0;
+  }
   fem::QuadraticMesh<D> mesh = fem::make_quadratic<D>(*solid.mesh, fem::list_cuts(solid.model));
   return std::make_unique<Model>(Model{std::move(solid), std::move(mesh)});
 }

@@ -59,6 +59,8 @@ class ElementRun : public MethodRun<results::ElementFile> {
   /// `site`: of the case or its design values. `alone`: the case has no other method.
   ElementRun(const site::Site& site, bool alone, const RunOptions& options, std::string input_hash);
 
+  /// Lets bars and walls begin with these deformations, in place of the prestress of anchors and struts.
+  void start_supports(std::vector<fem::KnownSpring> known) { known_springs_ = std::move(known); }
   /// Prepares mesh and model; writes nothing. Throws Error (interrupted); if FEM is the only method, what make_solid()
   /// throws, otherwise the reason is part of the result.
   void prepare();
@@ -104,6 +106,7 @@ class ElementRun : public MethodRun<results::ElementFile> {
   bool tries_both_directions_;
   std::unique_ptr<Model> model_;
   bool is_told_ = false;  ///< the file has results
+  std::vector<fem::KnownSpring> known_springs_;
   results::PresentReduction present_;
   PresentClock clock_;
 };

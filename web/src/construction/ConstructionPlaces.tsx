@@ -177,7 +177,7 @@ export function SupportsOfStages({ construction: { stages } }: { construction: C
           rows={forces}
           columns={[
             ["Stage", (s) => s.stage, "name"],
-            ["Support", (s) => s.support],
+            ["Support", (s) => (s.row && forces.some((other) => other.support === s.support && other.row !== s.row) ? `${s.support}, row ${s.row}` : s.support)],
             ["Axial force", (s) => formatQuantity(s.largest_force, units.line_force, 3), "number"],
             ["Head", (s) => formatQuantity(s.head_force, units.line_force, 3), "number"],
             forces.some((s) => s.moment.length > 0) && [
@@ -188,6 +188,16 @@ export function SupportsOfStages({ construction: { stages } }: { construction: C
             forces.some((s) => s.shear.length > 0) && [
               "Shear force",
               (s) => (s.shear.length > 0 ? formatQuantity(s.largest_shear, units.line_force, 3) : "–"),
+              "number",
+            ],
+            forces.some((s) => s.largest_deflection !== undefined) && [
+              "Deflection",
+              (s) => (s.largest_deflection !== undefined ? formatQuantity(s.largest_deflection, units.displacement, 3) : "–"),
+              "number",
+            ],
+            forces.some((s) => s.struts) && [
+              "Struts",
+              (s) => (s.struts ? s.struts.map((n) => formatQuantity(n, units.line_force, 3)).join(", ") : "–"),
               "number",
             ],
           ]}
