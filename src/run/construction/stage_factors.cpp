@@ -101,6 +101,9 @@ StageFactors find_stage_factors(const input::LoadedCase& loaded, const input::Ca
       }))
     factors.push_back(make_bounds_factor(run));
   run.methods = compare_methods(later, slices ? slices->slope() : nullptr, run, options.folder, options.threads);
+  // The comparison finds weaker surfaces of LEM, as without stages.
+  for (results::StageFactor& factor : factors)
+    if (slices && factor.method == Method::lem && factor.factor) factor = make_slices_factor(run);
   run.warnings.insert(run.warnings.begin(), run.methods->warnings.begin(), run.methods->warnings.end());
   run.status = results::Status::finished;
   run.results = list_results(later, run);
