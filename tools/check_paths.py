@@ -36,6 +36,7 @@ MAY_OPEN = {
     "src/studio/process.cpp": "the state of a process in /proc, and the end of a growing log that is no link",
     "src/base/foreign_code.cpp": "the program's own modules",
     "src/output/files/history.cpp": "rows at the end of a history that it has begun",
+    "src/laboratory/evaluation_store.cpp": "lines at the end of evaluations that it has begun",
     "src/output/files/hdf5.cpp": "results in HDF5, after find_file_fault()",
     "src/mesh/check_mesh_file.cpp": "a mesh line by line, after find_file_fault()",
     "src/gmsh/mesh_of_file.cpp": "a mesh by Gmsh, after check_mesh_file()",
@@ -55,6 +56,7 @@ MAY_PRINT = {
     "src/app/commands.cpp": "texts of the program alone",
     "src/app/commands.cpp": "texts of the program alone",
     "src/app/commands.cpp": "texts of the program alone",
+    "src/laboratory/evaluation_store.cpp": "numbers, into a file that it has begun",
     "src/output/plots/gnuplot.cpp": "a script, into a temporary file",
 }
 
