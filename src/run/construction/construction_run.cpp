@@ -24,6 +24,7 @@
 #include "run/common/method_run.hpp"
 #include "run/common/walls_of_case.hpp"
 #include "run/construction/stage_factors.hpp"
+#include "run/construction/stage_supports.hpp"
 #include "run/fem/start_stress.hpp"
 #include "run/mpm/point_run.hpp"
 #include "site/supports.hpp"
@@ -58,20 +59,6 @@ bool unflatten(const std::vector<double>& numbers, std::vector<Entry>& entries) 
   entries.resize(numbers.size() / size);
   for (std::size_t i = 0; i < numbers.size(); ++i) entries[i / size][i % size] = numbers[i];
   return true;
-}
-
-/// Returns the forces of the bars and walls of a stage; none without supports.
-std::vector<fem::BarForces> list_forces(const StageModel& stage, const fem::SolidState<2>& solid) {
-  const fem::SolidModel<2>& model = stage.solid.model;
-  if (model.bars.empty() && model.walls.empty()) return {};
-  return fem::compute_bar_forces(model, solid);
-}
-
-double find_largest(const std::vector<double>& values) {
-  double largest = 0;
-  for (const double v : values)
-    if (std::abs(v) > std::abs(largest)) largest = v;
-  return largest;
 }
 
 }  // namespace
@@ -233,7 +220,7 @@ bool ConstructionRun::run_stage(int number) {
   }
   fem::ConsolidationState<2> start = fem::carry_state<2>(stage_->model, state_, next->model, next->elevation);
   if (asked.reset_displacement) std::fill(start.solid.displacement.begin(), start.solid.displacement.end(), Vec<2>{});
-  const std::vector<fem::BarForces> supports_before = list_forces(*next, start.solid);
+  const std::vector<fem::BarForces> supports_before = list_bar_forces(*next, start.solid);
   const fem::ConsolidationResult<2> found = fem::run_stage<2>(
       next->model, start, make_schedule(number),
       [&](const fem::ConsolidationStep& step, const fem::SolidState<2>& solid, const std::vector<double>& head) {
@@ -252,7 +239,9 @@ bool ConstructionRun::run_stage(int number) {
   stage_ = std::move(next);
   state_ = found.outputs.back().at;
   record_->add_stage(asked.name, *stage_, state_);
-  add_supports(number, supports_before, result);
+  const results::ConstructionStage* before =
+      number > 0 && !asked.reset_displacement ? &summary_.stages[static_cast<std::size_t>(number) - 1] : nullptr;
+  result.supports = make_stage_supports(*stage_, state_.solid, supports_before, before);
   if (!found.converged) {
     result.error = fmt::format(
         "no equilibrium beyond {:.3g} % of the change of stage '{}', at {}: the soil fails there or moves by more than "
@@ -289,53 +278,6 @@ void ConstructionRun::add_step(const StageModel& stage, const fem::Consolidation
   }
   record_->set_steady(steady_head_);
   record_->add_step(step.time, stage, solid, head);
-}
-
-void ConstructionRun::add_supports(int number, const std::vector<fem::BarForces>& start,
-                                   results::ConstructionStage& result) const {
-  const fem::SolidModel<2>& model = stage_->solid.model;
-  if (model.bars.empty() && model.walls.empty()) return;
-  const std::vector<fem::BarForces> forces = list_forces(*stage_, state_.solid);
-  const site::Site site(stage_->data);
-  std::vector<site::Bar> bars = site::list_bars(site);
-  std::erase_if(bars, [](const site::Bar& bar) { return bar.kind == input::SupportKind::wall; });
-  const std::vector<WallLine> walls = list_walls(site);
-  for (std::size_t i = 0; i < forces.size(); ++i) {
-    results::ConstructionSupport& out = result.supports.emplace_back();
-    out.support = i < model.bars.size() ? model.bars[i].name : model.walls[i - model.bars.size()].name;
-    out.place = forces[i].axial.place;
-    out.force = forces[i].axial.value;
-    out.moment = forces[i].moment.value;
-    out.shear = forces[i].shear.value;
-    out.largest_force = find_largest(out.force);
-    out.largest_moment = std::abs(find_largest(out.moment));
-    out.largest_shear = std::abs(find_largest(out.shear));
-    out.head_force = forces[i].plate;
-    out.row = i < bars.size() ? bars[i].row : walls[i - bars.size()].row;
-    if (!forces[i].strut.value.empty()) out.struts = forces[i].strut.value;
-    if (i >= bars.size()) add_deflection(number, start[i], forces[i], out);
-  }
-}
-
-/// Adds the motion of a wall in this stage to that of the stage before.
-void ConstructionRun::add_deflection(int number, const fem::BarForces& start, const fem::BarForces& now,
-                                     results::ConstructionSupport& out) const {
-  constexpr double same_place = 1e-9;
-  const fem::BarCurve &before = start.deflection, &after = now.deflection;
-  const results::ConstructionSupport* last = nullptr;
-  if (number > 0 && !data_.construction[static_cast<std::size_t>(number)].reset_displacement)
-    for (const results::ConstructionSupport& s : summary_.stages[static_cast<std::size_t>(number) - 1].supports)
-      if (s.support == out.support && s.row == out.row && s.deflection) last = &s;
-  const auto find_last = [&](double place) {
-    for (std::size_t i = 0; last && i < last->deflection->size(); ++i)
-      if (std::abs((*last->deflection_place)[i] - place) < same_place) return (*last->deflection)[i];
-    return 0.0;
-  };
-  out.deflection_place = after.place;
-  out.deflection.emplace();
-  for (std::size_t i = 0; i < after.place.size(); ++i)
-    out.deflection->push_back(find_last(after.place[i]) + after.value[i] - before.value[i]);
-  out.largest_deflection = find_largest(*out.deflection);
 }
 
 /// Returns the case of the methods at the end of the last stage, with its pore pressures and stresses.

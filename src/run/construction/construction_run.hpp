@@ -45,9 +45,6 @@ class ConstructionRun {
   void add_step(const StageModel& stage, const fem::ConsolidationStep& step, const fem::SolidState<2>& solid,
                 const std::vector<double>& head, results::ConstructionStage& result);
   void add_water_warning(const input::ConstructionStage& asked, const SteadyWater& steady);
-  void add_supports(int number, const std::vector<fem::BarForces>& start, results::ConstructionStage& result) const;
-  void add_deflection(int number, const fem::BarForces& start, const fem::BarForces& now,
-                      results::ConstructionSupport& out) const;
   bool keeps_excess(const results::ConstructionStage& result) const;
   bool add_undrained_factors(const input::Case& later, int number, results::ConstructionStage& result);
   void add_warnings(const std::string& stage, const std::vector<std::string>& warnings);
