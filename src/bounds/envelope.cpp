@@ -121,4 +121,31 @@ void choose_lines(Problem& problem, const Units& units, const std::array<TriedSt
   }
 }
 
+bool add_exceeded_lines(Problem& problem, const Units& units, const TriedStresses& tried) {
+  constexpr double tolerance = 1e-5;  // of the stresses of a solution [units of stress]
+  bool has_added = false;
+  for (std::size_t e = 0; e < problem.size(); ++e) {
+    auto& corners = problem.strength[e];
+    if (!corners[0].further) continue;
+    LineRange range = corners[0].programmed;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Strength& soil = corners[i];
+      const double *stress = &(*tried.unknowns)[9 * e + 3 * i], radius = std::hypot(stress[1], stress[2]),
+                   lack = tried.unknowns->back(), divisor = soil.find_divisor(tried.factor);
+      std::size_t number = 0;
+      soil.visit_lines([&](double more_cohesion, double tan_friction) {
+        const double cohesion = (soil.cohesion + more_cohesion) / units.stress / divisor + lack,
+                     tangent = tan_friction / divisor;
+        if ((cohesion - stress[0] * tangent) / std::hypot(1.0, tangent) < radius - tolerance)
+          range.first = std::min(range.first, number), range.last = std::max(range.last, number);
+        ++number;
+      });
+    }
+    if (range.first == corners[0].programmed.first && range.last == corners[0].programmed.last) continue;
+    for (Strength& soil : corners) soil.programmed = range;
+    has_added = true;
+  }
+  return has_added;
+}
+
 }  // namespace talus::bounds

@@ -38,4 +38,7 @@ struct TriedStresses {
 /// one more on either side. Few of the lines of an envelope matter in a triangle, and the cost grows with their number.
 void choose_lines(Problem& problem, const Units& units, const std::array<TriedStresses, 2>& tried);
 
+/// Adds the lines that the stresses of a program exceed and that it did not have. Returns true if there are any.
+bool add_exceeded_lines(Problem& problem, const Units& units, const TriedStresses& tried);
+
 }  // namespace talus::bounds

@@ -197,6 +197,9 @@ class BoundsSearch {
     if (problems.upper) upper_ = fan_out(*problems.upper, find_corners(*problems.upper), widest_fan);
     evaluate();
     result_.upper = none;
+    const auto has_further = [](const auto& corners) { return corners[0].further != nullptr; };
+    for (const Problem* p : {&result_.problem, upper_ ? &*upper_ : &result_.problem})
+      has_envelopes_ = has_envelopes_ || std::any_of(p->strength.begin(), p->strength.end(), has_further);
   }
 
   BoundsResult run() {
@@ -219,6 +222,9 @@ class BoundsSearch {
       const bool is_last =
           !holds || !moves || static_cast<int>(problem.size()) >= options_.most_triangles ||
           2 * (moving.root() - holding.root()) <= (options_.gap - 2 * proofs[0]) * (moving.root() + holding.root());
+      // Trials that are to prove the bounds may have other lines of envelopes than the problem.
+      const std::optional<Trial> before = has_envelopes_ && moves ? std::optional(moving.last()) : std::nullopt;
+      is_proving_ = is_last;
       run_both(
           [&] {
             if (is_last && holds) finish(holding, Bound::lower);
@@ -226,6 +232,7 @@ class BoundsSearch {
           [&] {
             if (is_last && moves) finish(moving, Bound::upper);
           });
+      is_proving_ = false;
       tell(holding, moving);
       if (is_last && (!holds || !moves || is_done())) break;
       if (is_last && ++unproven >= options_.most_unproven) {
@@ -236,12 +243,12 @@ class BoundsSearch {
       // The meshes are nested: what a coarser one has proven holds on a finer one too, whatever Newton's step.
       low = std::max(holding.root(), result_.lower), high = std::min(moving.root(), result_.upper);
       opening_.forget();
-      std::vector<double> parts =
-          !upper_ || are_alike(problem, *upper_)
-              ? find_contributions(problem, units_, lower_trial_.solution, moving.last().solution)
-              : find_contributions(problem, *upper_, units_, lower_trial_, moving.last());
-      if (upper_) add_differences(problem, *upper_, units_, moving.last().solution, parts);
-      choose_lines(moving.last());
+      const Trial& moved = before ? *before : moving.last();
+      std::vector<double> parts = !upper_ || are_alike(problem, *upper_)
+                                      ? find_contributions(problem, units_, lower_trial_.solution, moved.solution)
+                                      : find_contributions(problem, *upper_, units_, lower_trial_, moved);
+      if (upper_) add_differences(problem, *upper_, units_, moved.solution, parts);
+      if (has_envelopes_) choose_lines(moved);
       const std::vector<bool> marked = mark(parts, is_last ? 1 : limit_refined(holding.root(), moving.root()));
       if (upper_) upper_ = refine(*upper_, marked);
       result_.problem = refine(problem, marked);
@@ -267,6 +274,7 @@ class BoundsSearch {
                            TriedStresses{moving.factor, &moving.solution.x}};
     bounds::choose_lines(result_.problem, units_, tried);
     if (upper_) bounds::choose_lines(*upper_, units_, tried);
+    exceeded_ = {};
   }
 
   /// Runs the programs of both bounds in parallel; they only read the problems.
@@ -285,11 +293,37 @@ class BoundsSearch {
     return {options_.range, [this, bound](double factor) { return solve_program(bound, factor); }};
   }
 
+  /// Solves a program with the lines of envelopes that the stresses of the one before exceed and that it did not have.
+  /// A trial that is to prove the bound is solved again with those that its own stresses exceed.
   Trial solve_program(Bound bound, double factor) {
+    constexpr int most_rounds = 4;
+    if (!has_envelopes_) return prove_solved(get_problem(bound), bound, factor);
+    Problem& own = bound == Bound::upper && upper_ ? *upper_ : result_.problem;
+    std::pair<double, std::vector<double>>& last = exceeded_[bound == Bound::lower ? 0 : 1];
+    const auto add_lines = [&](Problem& problem) {
+      return !last.second.empty() && add_exceeded_lines(problem, units_, {last.first, &last.second});
+    };
+    if (!is_proving_) {
+      add_lines(own);
+      Trial trial = prove_solved(own, bound, factor);
+      if (trial.solution.end == ConicEnd::solved) last = {factor, trial.solution.x};
+      return trial;
+    }
+    Problem widened = own;
+    add_lines(widened);
+    for (int round = 1;; ++round) {
+      Trial trial = prove_solved(widened, bound, factor);
+      if (trial.solution.end != ConicEnd::solved) return trial;
+      last = {factor, trial.solution.x};
+      if (round == most_rounds || !add_lines(widened)) return trial;
+    }
+  }
+
+  Trial prove_solved(const Problem& problem, Bound bound, double factor) {
     // The tolerance of the lack refers to the unit of stress and not to the lack itself, which is near zero.
     ConicOptions options;
     options.tolerance = 1e-5, options.value_size = 1;
-    ConicProgram program = make_program(get_problem(bound), bound, factor, units_);
+    ConicProgram program = make_program(problem, bound, factor, units_);
     // The solver's tolerance refers to the largest entry of the right-hand side, which in strong soil exceeds the
     // loads.
     double largest = 1;
@@ -301,8 +335,8 @@ class BoundsSearch {
     if (trial.solution.end != ConicEnd::solved) return trial;
     trial.lack = use_room(program, room, trial.solution);
     trial.doubt = std::abs(trial.solution.primal - trial.solution.dual);
-    trial.rate = find_lack_rate(get_problem(bound), program, bound, factor, units_, trial.solution);
-    prove(bound, trial);
+    trial.rate = find_lack_rate(problem, program, bound, factor, units_, trial.solution);
+    prove(problem, bound, trial);
     return trial;
   }
 
@@ -372,8 +406,7 @@ class BoundsSearch {
 
   /// Records the factor that the check of the field proves, if it narrows the interval. The bounds of coarser meshes
   /// remain valid.
-  void prove(Bound bound, const Trial& trial) {
-    const Problem& problem = get_problem(bound);
+  void prove(const Problem& problem, Bound bound, const Trial& trial) {
     if (bound == Bound::lower) {
       StressField field = read_stress(problem, make_program(problem, bound, trial.factor, units_), trial.factor,
                                       trial.solution, units_);
@@ -404,9 +437,13 @@ class BoundsSearch {
   BoundsResult result_;
   std::optional<Problem> upper_;  ///< on the mesh of `result_.problem`; none: the same strengths and pressures
   Units units_;
-  Trial lower_trial_;      ///< that gave the root of the lower bound on the current mesh
-  bool is_flat_ = false;   ///< the lack of the lower bound is zero at all stable factors
-  OpeningSearch opening_;  ///< of the current mesh
+  Trial lower_trial_;  ///< that gave the root of the lower bound on the current mesh
+  /// Factor and unknowns of the last program of each bound on the current mesh, with envelopes.
+  std::array<std::pair<double, std::vector<double>>, 2> exceeded_;
+  bool has_envelopes_ = false;
+  bool is_proving_ = false;  ///< the trials are those of finish()
+  bool is_flat_ = false;     ///< the lack of the lower bound is zero at all stable factors
+  OpeningSearch opening_;    ///< of the current mesh
 };
 
 }  // namespace
