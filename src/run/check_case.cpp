@@ -9,7 +9,7 @@
 #include "run/bounds/problem_of_case.hpp"
 #include "run/common/mesh_estimate.hpp"
 #include "run/common/section_of_case.hpp"
-#include "run/common/wall_checks.hpp"
+#include "run/common/walls_of_case.hpp"
 #include "run/construction/stage_model.hpp"
 #include "run/construction/stage_record.hpp"
 #include "run/fem/solid_of_case.hpp"
@@ -126,7 +126,7 @@ void check_methods(const input::Case& data) {
   if (input::uses(data, Method::lem) && (compares_levels || !site::needs_seepage(data))) prepare_slope(site);
   if (input::uses(data, Method::fem) || asks_for_elements(data)) {
     check_solid(site);
-    if (site.has_ground()) check_struts(site);
+    if (site.has_ground()) list_walls(site);  // which check_walls() judges
   }
   if (input::uses(data, Method::seepage) && is_meshed) check_flow(data);
   if (input::uses(data, Method::mpm)) check_ground(site);

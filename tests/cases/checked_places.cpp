@@ -75,15 +75,15 @@ std::vector<Fault> list_faults() {
   };
   return {
       {walled_cut, wall("[[12, 3], [12, 2.999999]]"), "less than 0.001 of the width"},
-      {walled_cut, wall("[[12, 3], [12, -3], [12, 2]]"), "returns along itself"},
-      {walled_cut, wall("[[12, 3], [12, -3], [11, -2], [13, -2]]"), "crosses or touches itself"},
+      {walled_cut, wall("[[12, 3], [12, -3], [12, 2]]"), "meets itself at (12, 2)"},
+      {walled_cut, wall("[[12, 3], [12, -3], [11, -2], [13, -2]]"), "meets itself at (11, -2)"},
       {walled_cut, wall("[[12, 3], [12, -6], [14, -6]]"), "lies along the bottom"},
-      {walled_cut, strut("[-1]"), "finds no free side"},
-      {walled_cut, strut("[4]"), "finds no free side"},
+      {walled_cut, strut("[-1]"), "has soil on both sides of the wall"},
+      {walled_cut, strut("[4]"), "is above or below the wall"},
       {flow_below_wall,
        {{"seepage.heave", "[{ name = 'block', x = [10, 12], level = 7 }]"}},
        "not in soil with pore water"},
-      {flow_below_wall, {{"seepage.section", "[{ name = 'line', points = [[10, 20], [10, 23]] }]"}}, "crosses no soil"},
+      {flow_below_wall, {{"seepage.section", "[{ name = 'line', points = [[10, 20], [10, 23]] }]"}}, "cross no soil"},
       {dug_column, {{"output.monitor", "[{ name = 'plate', at = [10, 3] }]"}}, "lies outside the section"}};
 }
 

@@ -89,9 +89,18 @@ TEST_F(ConstructionRuns, FactorsGrowWithConsolidation) {
   ASSERT_EQ(stages.size(), 2u);
   for (const auto& stage : stages) {
     EXPECT_TRUE(stage.at("converged"));
-    // LEM and FEM at the end of a stage have the same pore pressures.
-    const double lem = stage.at("factors")[0].at("factor"), fem = stage.at("factors")[1].at("factor");
+    // LEM and FEM at the end of a stage have the same pore pressures, and the surfaces of LEM's own search the factor
+    // of FEM. The polyline that starts from FEM's shear band may have less.
+    const std::size_t number = static_cast<std::size_t>(&stage - &stages[0]) + 1;
+    std::ifstream file(folder_ / ("stage_" + std::to_string(number)) / "summary.json");
+    const auto of_stage = nlohmann::json::parse(file).at("lem");
+    double lem = 1e9;
+    for (const char* kind : {"critical", "noncircular"})
+      for (const auto& surface : of_stage.at(kind))
+        if (surface.at("factor").is_number()) lem = std::min(lem, surface.at("factor").get<double>());
+    const double fem = stage.at("factors")[1].at("factor");
     EXPECT_NEAR(fem, lem, 0.05 * lem);
+    EXPECT_LE(stage.at("factors")[0].at("factor").get<double>(), lem);
     for (const auto& step : stage.at("steps")) EXPECT_LT(step.at("residual").get<double>(), 1e-6);
   }
   // Without drainage the clay takes up pore pressure as it fails; at rest none is left to tell them apart.

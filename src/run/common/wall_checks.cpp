@@ -30,24 +30,6 @@ std::vector<Piece> list_pieces(const WallLine& wall) {
   return pieces;
 }
 
-double compute_cross(const site::Point& a, const site::Point& b, const site::Point& c) {
-  return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-}
-
-bool do_cross(const Piece& p, const Piece& q) {
-  return compute_cross(p.a, p.b, q.a) * compute_cross(p.a, p.b, q.b) < 0 &&
-         compute_cross(q.a, q.b, p.a) * compute_cross(q.a, q.b, p.b) < 0;
-}
-
-/// Returns an end of one piece that lies on the other one; nullptr if there is none.
-const site::Point* find_contact(const Piece& p, const Piece& q, double near) {
-  for (const site::Point* x : {&p.a, &p.b})
-    if (mesh::compute_distance(*x, q.a, q.b) <= near) return x;
-  for (const site::Point* x : {&q.a, &q.b})
-    if (mesh::compute_distance(*x, p.a, p.b) <= near) return x;
-  return nullptr;
-}
-
 /// Returns true if two pieces have more than a point in common.
 bool do_overlap(const Piece& p, const Piece& q, double near) {
   int on = 0;
@@ -68,25 +50,11 @@ class WallChecks {
   explicit WallChecks(const site::Site& site)
       : site_(site), unit_(site.data().units().length), width_(site.ground().back()[0] - site.ground().front()[0]) {}
 
-  void check_shape(const WallLine& wall) const {
-    const std::vector<Piece> pieces = list_pieces(wall);
+  void check_length(const WallLine& wall) const {
     double length = 0;
-    for (const Piece& p : pieces) length += p.length();
+    for (const Piece& p : list_pieces(wall)) length += p.length();
     if (length < shortest_wall * width_)
       fail(wall, "is {} long, less than {} of the width of the section", format_value(length, unit_, 3), shortest_wall);
-    for (const Piece& p : pieces)
-      if (p.length() <= same_place * width_) fail(wall, "has the point {} twice in a row", format_point(p.a, unit_));
-    const double near = same_place * width_;
-    for (std::size_t i = 0; i < pieces.size(); ++i)
-      for (std::size_t j = i + 1; j < pieces.size(); ++j) {
-        const Piece &p = pieces[i], &q = pieces[j];
-        if (j == i + 1) {
-          if (do_overlap(p, q, near)) fail(wall, "returns along itself at {}", format_point(q.a, unit_));
-        } else if (do_cross(p, q) || find_contact(p, q, near) != nullptr) {
-          fail(wall, "crosses or touches itself: the piece from {} to {} meets that from {} to {}",
-               format_point(p.a, unit_), format_point(p.b, unit_), format_point(q.a, unit_), format_point(q.b, unit_));
-        }
-      }
   }
 
   void check_pair(const WallLine& one, const WallLine& other) const {
@@ -108,11 +76,6 @@ class WallChecks {
                format_point(p.b, unit_));
       }
     }
-  }
-
-  void check_struts(const WallLine& wall) const {
-    if (polygons().empty()) return;
-    for (const double level : site_.data().supports.at(wall.support).strut_levels) check_strut(wall, level);
   }
 
  private:
@@ -145,20 +108,6 @@ class WallChecks {
     return {x[0] - step * (p.b[1] - p.a[1]), x[1] + step * (p.b[0] - p.a[0])};
   }
 
-  /// A strut stands on the side of the wall without soil. Levels of a corner of the ground have both kinds of places.
-  void check_strut(const WallLine& wall, double level) const {
-    for (const Piece& p : list_pieces(wall))
-      for (const double off : {0.0, -2 * probe_step * width_, 2 * probe_step * width_}) {
-        const double rise = p.b[1] - p.a[1], t = rise != 0 ? (level - p.a[1]) / rise : -1;
-        if (!(t >= 0 && t <= 1)) continue;
-        const double moved = std::clamp(t + off / rise, 0.0, 1.0);
-        const site::Point x{p.a[0] + moved * (p.b[0] - p.a[0]), p.a[1] + moved * rise};
-        if (!is_soil(step_aside(p, x, 1)) || !is_soil(step_aside(p, x, -1))) return;
-      }
-    fail_input("the strut of wall '{}' at y = {} finds no free side of the wall there", wall.support,
-               format_coordinate(level, unit_));
-  }
-
   const site::Site& site_;
   const ShownUnit& unit_;
   double width_;
@@ -169,18 +118,10 @@ class WallChecks {
 void check_walls(const site::Site& site, const std::vector<WallLine>& walls) {
   if (walls.empty()) return;
   const WallChecks checks(site);
-  for (const WallLine& wall : walls) checks.check_shape(wall);
+  for (const WallLine& wall : walls) checks.check_length(wall);
   for (std::size_t i = 0; i < walls.size(); ++i)
     for (std::size_t j = i + 1; j < walls.size(); ++j) checks.check_pair(walls[i], walls[j]);
   for (const WallLine& wall : walls) checks.check_place(wall);
-}
-
-void check_struts(const site::Site& site) {
-  if (site.data().mesh.dimension != 2 || site.data().supports.empty()) return;
-  const std::vector<WallLine> walls = list_walls(site);
-  if (walls.empty()) return;
-  const WallChecks checks(site);
-  for (const WallLine& wall : walls) checks.check_struts(wall);
 }
 
 }  // namespace talus::run

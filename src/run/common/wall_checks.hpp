@@ -9,13 +9,8 @@
 
 namespace talus::run {
 
-/// Throws Error (wrong_input) for a wall shorter than 1/1000 of the width of the section, one that touches, crosses or
-/// returns along itself, a piece along the bottom of the section, and two walls that lie on each other. Sections
-/// without polygons are judged by the shape of their walls only.
+/// Throws Error (wrong_input) for a wall shorter than 1/1000 of the width of the section, a piece along the bottom of
+/// the section, and two walls that lie on each other. Sections without polygons are judged by the lengths only.
 void check_walls(const site::Site& site, const std::vector<WallLine>& walls);
-
-/// Throws Error (wrong_input) for a strut at whose level its wall has soil on both sides, as FEM and limit analysis do
-/// on their meshes.
-void check_struts(const site::Site& site);
 
 }  // namespace talus::run
