@@ -132,7 +132,7 @@ struct SteadyHeads {
 
 /// Returns the heads of steady flow with the boundary values at `time` [s]. A body of soil to which no condition gives
 /// a head, and which no water enters, keeps `kept` (heads per node [m]), but none above its lowest face at which water
-/// would leave (T26.9). `guess` (heads per node) may be empty. Throws as solve_steady_seepage().
+/// would leave (T26.8). `guess` (heads per node) may be empty. Throws as solve_steady_seepage().
 template <int D>
 SteadyHeads<D> find_steady_heads(const SeepageModel<D>& flow, const std::vector<double>& kept, double time,
                                  const std::vector<double>& guess = {});
