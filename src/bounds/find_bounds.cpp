@@ -224,7 +224,7 @@ class BoundsSearch {
           2 * (moving.root() - holding.root()) <= (options_.gap - 2 * proofs[0]) * (moving.root() + holding.root());
       // Trials that are to prove the bounds may have other lines of envelopes than the problem.
       const std::optional<Trial> before = has_envelopes_ && moves ? std::optional(moving.last()) : std::nullopt;
-      is_proving_ = is_last;
+      is_proving_ = {is_last, is_last};
       run_both(
           [&] {
             if (is_last && holds) finish(holding, Bound::lower);
@@ -232,7 +232,7 @@ class BoundsSearch {
           [&] {
             if (is_last && moves) finish(moving, Bound::upper);
           });
-      is_proving_ = false;
+      is_proving_ = {};
       tell(holding, moving);
       if (is_last && (!holds || !moves || is_done())) break;
       if (is_last && ++unproven >= options_.most_unproven) {
@@ -260,6 +260,7 @@ class BoundsSearch {
   }
 
  private:
+  static std::size_t get_number(Bound bound) { return bound == Bound::lower ? 0 : 1; }
   const Problem& get_problem(Bound bound) const { return bound == Bound::upper && upper_ ? *upper_ : result_.problem; }
 
   void evaluate() {
@@ -299,11 +300,11 @@ class BoundsSearch {
     constexpr int most_rounds = 4;
     if (!has_envelopes_) return prove_solved(get_problem(bound), bound, factor);
     Problem& own = bound == Bound::upper && upper_ ? *upper_ : result_.problem;
-    std::pair<double, std::vector<double>>& last = exceeded_[bound == Bound::lower ? 0 : 1];
+    std::pair<double, std::vector<double>>& last = exceeded_[get_number(bound)];
     const auto add_lines = [&](Problem& problem) {
       return !last.second.empty() && add_exceeded_lines(problem, units_, {last.first, &last.second});
     };
-    if (!is_proving_) {
+    if (!is_proving_[get_number(bound)]) {
       add_lines(own);
       Trial trial = prove_solved(own, bound, factor);
       if (trial.solution.end == ConicEnd::solved) last = {factor, trial.solution.x};
@@ -358,7 +359,10 @@ class BoundsSearch {
   bool approach_lower(FactorSearch& holding, double low, double high) {
     if (!holding.approach(is_flat_ ? high : low, loose)) return false;
     lower_trial_ = holding.last();
+    // The lines of the problem stay those of the trial that is kept.
+    is_proving_[get_number(Bound::lower)] = true;
     if (is_flat_ && holding.last().factor > holding.root()) holding.try_factor((1 - proofs[0]) * holding.root());
+    is_proving_[get_number(Bound::lower)] = false;
     return true;
   }
 
@@ -441,9 +445,9 @@ class BoundsSearch {
   /// Factor and unknowns of the last program of each bound on the current mesh, with envelopes.
   std::array<std::pair<double, std::vector<double>>, 2> exceeded_;
   bool has_envelopes_ = false;
-  bool is_proving_ = false;  ///< the trials are those of finish()
-  bool is_flat_ = false;     ///< the lack of the lower bound is zero at all stable factors
-  OpeningSearch opening_;    ///< of the current mesh
+  std::array<bool, 2> is_proving_{};  ///< by bound: its trials are to prove it and leave the lines of the problem
+  bool is_flat_ = false;              ///< the lack of the lower bound is zero at all stable factors
+  OpeningSearch opening_;             ///< of the current mesh
 };
 
 }  // namespace
