@@ -76,7 +76,7 @@ struct ConstructionSupport {
   double largest_moment = 0;                 ///< [N m/m]; largest absolute value
   double largest_shear = 0;                  ///< [N/m]; largest absolute value
   double head_force = 0;                     ///< of plate, facing or connection [N/m]
-  /// Of walls: displacement since they were placed, towards the left of the way from head to toe [m], and its places.
+  /// Displacement of walls since they were placed, towards the left of the way from head to toe [m], and its places.
   std::optional<std::vector<double>> deflection_place, deflection;
   std::optional<double> largest_deflection;   ///< of the largest absolute value, with its sign [m]
   std::optional<std::vector<double>> struts;  ///< of walls with struts: compression, from the head [N/m]

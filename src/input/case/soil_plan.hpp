@@ -11,7 +11,7 @@ namespace talus::input {
 
 struct Case;
 
-/// What lies on both sides of a line, somewhere along it.
+/// The soil on both sides of a line, somewhere along it.
 struct Border {
   bool meets_air = false;   ///< soil on one side, empty part of the box on the other
   bool meets_soil = false;  ///< soil on at least one side

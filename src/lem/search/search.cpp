@@ -183,7 +183,7 @@ struct FoundSurfaces {
 std::vector<OptimisedSurface> find_polylines_both_ways(const Slope& slope, const SearchOptions& options,
                                                        const FoundSurfaces& circles, const SearchResult& trials) {
   std::vector<OptimisedSurface> polylines = find_polylines(slope, options, circles.circles, trials, circles.minima);
-  // Those of a similar slope were searched in both and are followed in one.
+  // The polylines of a similar slope were searched in both; they are followed in one.
   if (!options.known.empty()) return polylines;
   const Reflection mirror(slope.section());
   std::vector<std::vector<OptimisedSurface>> minima = circles.minima;
