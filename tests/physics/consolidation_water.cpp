@@ -22,7 +22,8 @@ std::string write_column(double water_table, const std::string& more) {
   return fmt::format(R"(
 analysis.methods = ["fem"]
 fem = {{ size = 1, meshes = 1 }}
-geometry.polygon = [{{ name = "c", points = [[0, 0], [1, 0], [1, 7], [0, 7]] }}, {{ name = "d", points = [[0, 7], [1, 7], [1, 10], [0, 10]] }}]
+geometry.polygon = [{{ name = "c", points = [[0, 0], [1, 0], [1, 7], [0, 7]] }},
+                    {{ name = "d", points = [[0, 7], [1, 7], [1, 10], [0, 10]] }}]
 geometry.line = [{{ name = "ground", points = [[0, 10], [1, 10]] }}, {{ name = "floor", points = [[0, 7], [1, 7]] }}]
 regions = {{ c = "clay", d = "clay" }}
 [materials.clay]
@@ -82,6 +83,18 @@ TEST(ConsolidationWater, StaysWhereNothingGivesAHead) {
   EXPECT_NEAR(end.at("heave").get<double>(), dug_weight * 7 / column_modulus, 1e-3 * 0.056);
   EXPECT_NEAR(end.at("excess").get<double>(), 0, 1);
   EXPECT_TRUE(warns(summary, "stage 'dig' is drained, and no [[hydraulic]] gives a head"));
+}
+
+TEST(ConsolidationWater, SuctionOfACutCounts) {
+  // Without drainage the water bears the weight that is dug out, above and below the water table at 5 m, but for the
+  // part of the soil, which is strained as the water expands: n E_oed/K_w of it.
+  const double borne = dug_weight / (1 + 0.5 * column_modulus / 2.2e9);
+  std::string undrained = dig_stage;
+  undrained.replace(undrained.find("drainage = \"drained\""), 20, "drainage = \"undrained\"");
+  const auto summary = run(write_column(5, undrained));
+  const auto& end = summary.at("construction").at("stages")[0].at("steps").back();
+  EXPECT_NEAR(end.at("least_excess").get<double>(), -borne, 1e-4 * borne);
+  EXPECT_NEAR(end.at("excess").get<double>(), 0, 1e-4 * borne);
 }
 
 TEST(ConsolidationWater, StandsOnTheGroundBelowTheWaterTable) {

@@ -103,19 +103,20 @@ std::vector<std::array<double, D + 1>> find_corner_stress(const ConsolidationMod
 }
 
 template <int D>
-double find_largest_excess(const ConsolidationModel<D>& model, const std::vector<double>& head,
-                           const std::vector<double>& steady) {
-  double largest = 0;
+ExcessRange find_excess_range(const ConsolidationModel<D>& model, const std::vector<double>& head,
+                              const std::vector<double>& steady) {
+  ExcessRange range;
   const auto& mesh = *model.flow->mesh;
   for (std::size_t e = 0; e < mesh.elements.size(); ++e)
     if (mesh.element_region[e] != mesh::empty_region)
       for (const int node : mesh.elements[e]) {
         const auto n = static_cast<std::size_t>(node);
         const double level = mesh.nodes[n][static_cast<std::size_t>(model.flow->up)];
-        largest = std::max(largest, find_excess(model.flow->unit_weight * (head[n] - level),
-                                                model.flow->unit_weight * (steady[n] - level)));
+        const double excess =
+            find_excess(model.flow->unit_weight * (head[n] - level), model.flow->unit_weight * (steady[n] - level));
+        range = {std::min(range.least, excess), std::max(range.largest, excess)};
       }
-  return largest;
+  return range;
 }
 
 template <int D>
@@ -172,8 +173,8 @@ ConsolidationState<D> carry_state(const ConsolidationModel<D>& old_model, const 
 #define TALUS_INSTANTIATE(D)                                                                                \
   template std::vector<std::array<double, D + 1>> find_corner_stress<D>(const ConsolidationModel<D>&,       \
                                                                         const std::vector<double>&);        \
-  template double find_largest_excess<D>(const ConsolidationModel<D>&, const std::vector<double>&,          \
-                                         const std::vector<double>&);                                       \
+  template ExcessRange find_excess_range<D>(const ConsolidationModel<D>&, const std::vector<double>&,       \
+                                            const std::vector<double>&);                                    \
   template ConsolidationState<D> make_first_state<D>(const ConsolidationModel<D>&, std::vector<double>);    \
   template ConsolidationState<D> carry_state<D>(const ConsolidationModel<D>&, const ConsolidationState<D>&, \
                                                 const ConsolidationModel<D>&, const std::vector<double>&);

@@ -141,9 +141,14 @@ SteadyHeads<D> find_steady_heads(const SeepageModel<D>& flow, const std::vector<
 /// flow. Suction that is less than the steady one is no excess.
 double find_excess(double pressure, double steady);
 
-/// Returns the largest excess pore pressure over `steady` [Pa], compression positive; both are heads per node [m].
+/// Excess pore pressures, compression positive [Pa].
+struct ExcessRange {
+  double least = 0, largest = 0;  ///< at most and at least zero
+};
+
+/// Returns the range of the excess pore pressures over `steady`; both are heads per node [m].
 template <int D>
-double find_largest_excess(const ConsolidationModel<D>& model, const std::vector<double>& head,
-                           const std::vector<double>& steady);
+ExcessRange find_excess_range(const ConsolidationModel<D>& model, const std::vector<double>& head,
+                              const std::vector<double>& steady);
 
 }  // namespace talus::fem

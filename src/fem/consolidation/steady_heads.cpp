@@ -70,7 +70,8 @@ bool lower_to_faces(const SeepageSystem<D>& system, const std::vector<NodeCondit
                     const Bodies<D>& bodies, const std::vector<char>& given, std::vector<double>& head) {
   const double infinity = std::numeric_limits<double>::infinity();
   std::vector<double> outlet(bodies.size(), infinity);
-  const double height = *std::max_element(system.elevation.begin(), system.elevation.end());
+  const auto [low, high] = std::minmax_element(system.elevation.begin(), system.elevation.end());
+  const double height = *high - *low;
   std::vector<char> flows(bodies.size(), 0);
   for (std::size_t u = 0; u < conditions.size(); ++u) {
     if (given[u] != 0 || !conditions[u].face) continue;

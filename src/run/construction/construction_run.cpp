@@ -273,8 +273,8 @@ void ConstructionRun::add_step(const StageModel& stage, const fem::Consolidation
     out.lateral = std::max(out.lateral, std::abs(u[0]));
   }
   if (stage.is_wet) {
-    out.excess = fem::find_largest_excess<2>(stage.model, head, steady_head_);
-    out.least_excess = -fem::find_largest_excess<2>(stage.model, steady_head_, head);
+    const fem::ExcessRange excess = fem::find_excess_range<2>(stage.model, head, steady_head_);
+    out.excess = excess.largest, out.least_excess = excess.least;
   }
   record_->set_steady(steady_head_);
   record_->add_step(step.time, stage, solid, head);
