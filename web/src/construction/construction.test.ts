@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 import { expect, test } from "vitest";
 
+import type { ShownResult } from "../contract";
 import type { Construction } from "../contract/results";
-import { chooseTimeUnit, listFactors, listSteps } from "./construction";
+import { chooseTimeUnit, keepFurthestOfStages, listFactors, listSteps } from "./construction";
 
 const step = (time: number, settlement: number) => ({
   time,
@@ -59,4 +60,20 @@ test("the axis has hours, days or years", () => {
   expect(chooseTimeUnit(3600).name).toBe("h");
   expect(chooseTimeUnit(20 * 86400).name).toBe("day");
   expect(chooseTimeUnit(5 * 365.25 * 86400).name).toBe("year");
+});
+
+test("results at the ends of stages are those furthest from zero", () => {
+  const make = (name: string, quantity: string, value: number): ShownResult => ({
+    name, title: name, value, unit: { name: "m", si: 1 }, kind: "motion", quantity, by: "",
+  });
+  const results = [
+    make("other", "settlement", 9),
+    make("construction[cut].settlement", "settlement", 1),
+    make("construction[cut].least_excess", "least_excess", -5),
+    make("construction[fill].settlement", "settlement", 2),
+    make("construction[fill].least_excess", "least_excess", -1),
+  ];
+  expect(keepFurthestOfStages(results).map(({ name }) => name)).toEqual([
+    "other", "construction[cut].least_excess", "construction[fill].settlement",
+  ]);
 });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /** Stages of construction as curves in time: settlement, excess pore pressure, and the factors at the ends of the stages. */
-import type { Unit } from "../contract";
+import type { ShownResult, Unit } from "../contract";
 import type { Construction } from "../contract/results";
 
 /** The unit of a time axis: hours, days or years, so that its numbers have few digits. */
@@ -48,3 +48,14 @@ export const listFactors = ({ stages }: Construction): FactorPoint[] =>
       factor === null ? [] : [{ time: to, stage: name, method: undrained ? `${method}_undrained` : method, title, factor }],
     ),
   );
+
+/** Keeps the result of each quantity at the ends of stages that is furthest from zero, and all other results. */
+export function keepFurthestOfStages(results: ShownResult[]): ShownResult[] {
+  const ofStage = ({ name }: ShownResult) => name.startsWith("construction[");
+  const furthest = new Map<string, ShownResult>();
+  for (const result of results.filter(ofStage)) {
+    const known = furthest.get(result.quantity);
+    if (!known || Math.abs(result.value) > Math.abs(known.value)) furthest.set(result.quantity, result);
+  }
+  return results.filter((result) => !ofStage(result) || furthest.get(result.quantity) === result);
+}

@@ -2,6 +2,7 @@
 /** The answer: a strong disagreement of the methods; the factor of safety large, in words, beside other criteria; runout; warnings. */
 import { formatNumber } from "../charts/base/numbers";
 import { findMethods } from "../compared/methodTable";
+import { keepFurthestOfStages } from "../construction/construction";
 import type { DesignStatement, Factor, ShownResult } from "../contract";
 import { report } from "../state";
 import { FactorTable, getMethodTitle } from "./FactorTable";
@@ -188,8 +189,9 @@ function pickResults(results: ShownResult[], most: number): ShownResult[] {
   // With other methods the stages only prepare the strength reduction, and the mesh is stated below.
   const beside = (findMethods(report.value)?.asked.length ?? 1) > 1;
   const isAside = ({ kind }: ShownResult) => beside && (kind === "stage" || kind === "mesh");
-  return results
-    .filter((result) => result.kind !== "factor" && !isOtherAcceleration(result) && !isAside(result))
+  return keepFurthestOfStages(
+    results.filter((result) => result.kind !== "factor" && !isOtherAcceleration(result) && !isAside(result)),
+  )
     .sort((a, b) => rank(a) - rank(b))
     .slice(0, most);
 }
