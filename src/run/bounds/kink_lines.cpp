@@ -5,15 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
 #include "base/error.hpp"
 #include "mesh/generate.hpp"
 #include "mesh/planar.hpp"
+#include "run/bounds/soil_kinks.hpp"
 #include "run/common/mesh_estimate.hpp"
-#include "site/initial_water.hpp"
 
 namespace talus::run {
 
@@ -29,18 +28,9 @@ constexpr double least_gap = 0.1, at_corner = 0.05, least_length = 0.25;
 /// distance is measured, of which more than `most_near` are too near.
 constexpr double part_length = 2;
 constexpr int line_samples = 5, most_near = 2;
-/// Change of the gradient of a water table at a vertex, below which a vertical line does not repay its triangles.
-constexpr double least_bend = 0.05;
-/// Distance of a vertex of a water table from the line between its neighbours, over the element size, up to which it is
-/// left out where vertices are close together.
-constexpr double straight = 0.02;
 /// Triangles with these lines over those without, above which there are none.
 constexpr double most_growth = 2;
 constexpr double few_triangles = 100;
-
-bool takes_water_table(const input::Case& data) {
-  return data.initial.water.pressure == input::InitialPressure::water_table && !data.initial.water.water_table.empty();
-}
 
 class KinkLines {
  public:
@@ -52,105 +42,12 @@ class KinkLines {
       const auto region = data_.regions.find(polygon.name);
       if (region == data_.regions.end()) continue;
       const input::Material& soil = data_.materials.at(region->second);
-      for (const Polyline& line : list_lines(soil)) add(line, polygon.points);
+      for (const Polyline& line : list_kinks(site_, plan_, soil, KinkDetail::meshed)) add(line, polygon.points);
     }
     return std::move(plan_);
   }
 
  private:
-  Polyline make_level(double y) const { return {{plan_.box_min[0], y}, {plan_.box_max[0], y}}; }
-
-  std::vector<Polyline> list_lines(const input::Material& soil) const {
-    std::vector<Polyline> lines;
-    if (soil.traits().serves_slices && !soil.known_strength) {
-      const site::PlaneStrength strength = site::find_plane_strength(soil);
-      if (strength.cohesion_gradient != 0) lines.push_back(make_level(strength.cohesion_level));
-      if (material::needs<material::StrengthProfile>(soil.model)) add_profile(soil, lines);
-    }
-    if (material::needs<material::ShansepInput>(soil.model)) add_load_ends(lines);
-    if (material::needs<material::RootCohesionInput>(soil.model)) add_root_depths(lines);
-    if (takes_water_table(data_) && site::find_pressure_source(data_, soil) == site::PressureSource::given &&
-        !material::is_total_stress(soil.model, soil))
-      add_table(soil, lines);
-    return lines;
-  }
-
-  void add_profile(const input::Material& soil, std::vector<Polyline>& lines) const {
-    for (const double level : soil.profile_levels) lines.push_back(make_level(level));
-    if (!site_.has_ground()) return;
-    for (const double depth : soil.profile_depths) {
-      Polyline below = site_.ground();
-      for (Point2& x : below) x[1] -= depth;
-      lines.push_back(std::move(below));
-    }
-    for (const double x : soil.profile_x) lines.push_back({{x, plan_.box_min[1]}, {x, plan_.box_max[1]}});
-  }
-
-  /// Adds verticals below the ends and bends of surcharges, where the effective overburden jumps or bends.
-  void add_load_ends(std::vector<Polyline>& lines) const {
-    for (const input::Surcharge& load : data_.surcharges)
-      for (const double x : load.x) lines.push_back({{x, plan_.box_min[1]}, {x, plan_.box_max[1]}});
-  }
-
-  /// Adds the lines below which there are no roots, at one distance from the line of the roots.
-  void add_root_depths(std::vector<Polyline>& lines) const {
-    for (const input::Roots& roots : data_.roots)
-      for (const mesh::Line& line : plan_.lines)
-        if (line.name == roots.ground) lines.push_back(move_down(line.points, roots.depth));
-  }
-
-  /// Returns the points at one distance from a line, from left to right below it. Beyond its ends, and at a corner
-  /// where the soil has more than 180°, they lie on circles, of which a point every 22.5° is taken.
-  static Polyline move_down(Polyline line, double depth) {
-    constexpr double step = std::numbers::pi / 8;
-    if (line.front()[0] > line.back()[0]) std::reverse(line.begin(), line.end());
-    Polyline below;
-    const auto add = [&](const Point2& at, double angle) {
-      below.push_back({at[0] + depth * std::cos(angle), at[1] + depth * std::sin(angle)});
-    };
-    double last = -std::numbers::pi;  // direction from the line, of what was added last
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-      const Point2 &a = line[i], &b = line[i + 1];
-      const double normal = std::atan2(b[1] - a[1], b[0] - a[0]) - std::numbers::pi / 2, turn = normal - last;
-      if (i > 0 && turn < 0) {  // both parallels meet
-        const double half = 0.5 * turn;
-        below.push_back({a[0] + depth / std::cos(half) * std::cos(last + half),
-                         a[1] + depth / std::cos(half) * std::sin(last + half)});
-      } else {
-        const int parts = std::max(1, static_cast<int>(std::ceil(turn / step)));
-        for (int k = 0; k <= parts; ++k) add(a, last + turn * k / parts);
-      }
-      last = normal;
-    }
-    const int parts = std::max(1, static_cast<int>(std::ceil(-last / step)));
-    for (int k = 0; k <= parts; ++k) add(line.back(), last - last * k / parts);
-    return below;
-  }
-
-  /// Adds the water table of a soil, level beyond its ends, and verticals below its vertices.
-  void add_table(const input::Material& soil, std::vector<Polyline>& lines) const {
-    Polyline table = site::find_piezometric_line(data_, soil);
-    const double left = plan_.box_min[0], right = plan_.box_max[0];
-    const auto is_dense = [&] {
-      for (std::size_t i = 1; i < table.size(); ++i)
-        if (table[i][0] - table[i - 1][0] < least_length * plan_.size) return true;
-      return false;
-    };
-    if (is_dense()) table = mesh::drop_straight_points(table, false, straight * plan_.size);
-    if (table.front()[0] > left) table.insert(table.begin(), {left, table.front()[1]});
-    if (table.back()[0] < right) table.push_back({right, table.back()[1]});
-    const auto find_gradient = [&](std::size_t i) {
-      const double run = table[i + 1][0] - table[i][0];
-      return run > 0 ? (table[i + 1][1] - table[i][1]) / run : 1e9;
-    };
-    std::vector<Polyline> verticals;
-    for (std::size_t i = 1; i + 1 < table.size(); ++i)
-      if (std::abs(find_gradient(i) - find_gradient(i - 1)) > least_bend && table[i][1] > plan_.box_min[1])
-        verticals.push_back({table[i], {table[i][0], plan_.box_min[1]}});
-    lines.push_back(std::move(table));
-    lines.insert(lines.end(), verticals.begin(), verticals.end());
-  }
-
   /// Adds the parts of a line inside a polygon.
   void add(const Polyline& line, const Polyline& polygon) {
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {

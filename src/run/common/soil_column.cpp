@@ -2,6 +2,7 @@
 #include "run/common/soil_column.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "lem/section/strips.hpp"
 #include "run/common/section_of_case.hpp"
@@ -35,6 +36,26 @@ StrengthPlane SoilColumns::find(const Vec<2>& x) const {
   plane.depth = std::max(0.0, ground - x[1]);
   plane.vertical = std::max(0.0, above - std::max(0.0, u));
   return plane;
+}
+
+std::vector<double> SoilColumns::list_breaks() const {
+  std::vector<double> breaks;
+  if (!slope_) return breaks;
+  for (const lem::Strip& strip : slope_->strips().strips) breaks.push_back(strip.left);
+  return breaks;
+}
+
+std::vector<mesh::Polyline> SoilColumns::list_water_lines() const {
+  std::vector<mesh::Polyline> lines;
+  if (!slope_) return lines;
+  for (const lem::Strip& strip : slope_->strips().strips) {
+    const auto add = [&, width = strip.right - strip.left](const lem::StripLine& line) {
+      if (std::isfinite(line.y)) lines.push_back({{strip.left, line.y}, {strip.right, line.at(width)}});
+    };
+    add(strip.water);
+    for (const lem::StripLine& line : strip.piezometric) add(line);
+  }
+  return lines;
 }
 
 }  // namespace talus::run

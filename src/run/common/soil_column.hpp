@@ -4,9 +4,11 @@
 // and MPM as they do in LEM.
 
 #include <memory>
+#include <vector>
 
 #include "base/vec.hpp"
 #include "material/blocks.hpp"
+#include "mesh/planar.hpp"
 #include "site/site.hpp"
 
 namespace talus::lem {
@@ -25,6 +27,11 @@ class SoilColumns {
   /// Returns level, depth under the ground and σ'_v at a point as a plane of unknown inclination. σ'_v is the weight of
   /// soil, water and loads above less the pore pressure.
   StrengthPlane find(const Vec<2>& x) const;
+
+  /// Returns the places between which σ'_v is linear in each soil, above and below the lines of list_water_lines() [m].
+  std::vector<double> list_breaks() const;
+  /// Returns the water table and the piezometric lines, in parts without vertical steps.
+  std::vector<mesh::Polyline> list_water_lines() const;
 
  private:
   std::shared_ptr<const lem::Slope> slope_;
