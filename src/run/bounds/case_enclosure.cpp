@@ -13,15 +13,10 @@ namespace talus::run {
 
 namespace {
 
-using Weights = std::array<double, 3>;
-
 /// Parts of a side of a triangle between the points at which strengths and pressures are compared.
 constexpr int lattice = 8;
 /// Differences up to this fraction of the largest overburden are rounding errors.
 constexpr double rounding = 1e-7;
-/// Fraction of the way to the centre by which points on the sides lie inside a triangle, on whose sides strength and
-/// pressure may jump: more than the rounding of the coordinates of the mesh.
-constexpr double inwards = 1e-6;
 /// Points of each triangle that the comparison draws at random, and the seed.
 constexpr int drawn = 12;
 constexpr unsigned seed = 20261130;
@@ -33,26 +28,62 @@ Weights move_inwards(Weights w) {
   return w;
 }
 
-/// Returns the points of the lattice, the corners first.
-std::vector<Weights> list_lattice() {
-  std::vector<Weights> points{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  for (int i = 0; i <= lattice; ++i)
-    for (int j = 0; j <= lattice - i; ++j)
-      if (const int k = lattice - i - j; i < lattice && j < lattice && k < lattice)
-        points.push_back({double(i) / lattice, double(j) / lattice, double(k) / lattice});
-  std::transform(points.begin(), points.end(), points.begin(), move_inwards);
-  return points;
+/// Points of a triangle in rows, the corners first.
+struct Lattice {
+  std::vector<Weights> points;
+  std::array<std::array<std::size_t, lattice + 1>, lattice + 1> number{};  ///< of the point with these two indices
+
+  Lattice() {
+    const auto add = [&](int i, int j) {
+      number[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = points.size();
+      points.push_back(move_inwards({double(i) / lattice, double(j) / lattice, double(lattice - i - j) / lattice}));
+    };
+    add(lattice, 0);
+    add(0, lattice);
+    add(0, 0);
+    for (int i = 0; i < lattice; ++i)
+      for (int j = 0; j <= lattice - i; ++j)
+        if (j < lattice && i + j > 0) add(i, j);
+  }
+
+  /// Returns the largest second difference of values at the points, in six directions, times `sign`; at least 0.
+  double find_second_difference(const double* values, double sign) const {
+    constexpr std::array<std::array<int, 2>, 6> directions{{{1, 0}, {0, 1}, {1, -1}, {1, 1}, {2, -1}, {1, -2}}};
+    const auto at = [&](int i, int j) {
+      return values[number[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)]];
+    };
+    double most = 0;
+    for (int i = 0; i <= lattice; ++i)
+      for (int j = 0; j <= lattice - i; ++j)
+        for (const auto& [di, dj] : directions) {
+          const int rest = lattice - i - j, step = di + dj;
+          if (std::min({i - di, j - dj, i + di, j + dj, rest - step, rest + step}) < 0) continue;
+          most = std::max(most, sign * (at(i - di, j - dj) - 2 * at(i, j) + at(i + di, j + dj)));
+        }
+    return most;
+  }
+};
+
+const Lattice& get_lattice() {
+  static const Lattice all;
+  return all;
 }
 
 double interpolate(const std::array<double, 3>& corner, const Weights& w) {
   return w[0] * corner[0] + w[1] * corner[1] + w[2] * corner[2];
 }
 
+std::array<Vec<2>, 3> get_corners(const bounds::Problem& problem, std::size_t e) {
+  std::array<Vec<2>, 3> corners;
+  for (std::size_t i = 0; i < 3; ++i) corners[i] = problem.nodes[static_cast<std::size_t>(problem.triangles[e][i])];
+  return corners;
+}
+
 Vec<2> find_place(const bounds::Problem& problem, std::size_t e, const Weights& w) {
+  const std::array<Vec<2>, 3> corners = get_corners(problem, e);
   Vec<2> x{};
   for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t d = 0; d < 2; ++d)
-      x[d] += w[i] * problem.nodes[static_cast<std::size_t>(problem.triangles[e][i])][d];
+    for (std::size_t d = 0; d < 2; ++d) x[d] += w[i] * corners[i][d];
   return x;
 }
 
@@ -176,28 +207,31 @@ bool enclose_pressure(bounds::Problem& problem, std::size_t e, bounds::Bound bou
 
 CaseEnclosure::CaseEnclosure(std::shared_ptr<const CaseFields> fields, const bounds::Problem& first)
     : fields_(std::move(fields)),
+      kinks_(fields_->list_kinks()),
       rounding_(rounding * bounds::find_units(first).stress),
       bends_strength_(first.size(), false),
       bends_pressure_(first.size(), false) {
-  const std::vector<Weights> points = list_lattice();
   std::vector<std::size_t> variable, all(first.size());
   for (std::size_t e = 0; e < first.size(); ++e) {
     all[e] = e;
     if (fields_->has_variable_strength(e)) variable.push_back(e);
   }
-  const auto differs = [&](const std::array<double, 3>& corner, const double* values) {
+  const auto differs = [&](const std::array<double, 3>& corner, const std::vector<Weights>& points,
+                           const double* values) {
     for (std::size_t k = 0; k < points.size(); ++k)
       if (!(std::abs(values[k] - interpolate(corner, points[k])) <= rounding_)) return true;
     return false;
   };
-  const std::vector<double> cohesions =
-      fields_->find_cohesions(list_places(first, all, variable, points), bounds::Bound::lower);
+  const Sampled cohesions = sample(
+      first, all, variable, [&](const auto& places) { return fields_->find_cohesions(places, bounds::Bound::lower); });
   for (std::size_t k = 0; k < variable.size(); ++k)
-    bends_strength_[variable[k]] = differs(get_cohesion(first, variable[k]), &cohesions[k * points.size()]);
+    bends_strength_[variable[k]] =
+        differs(get_cohesion(first, variable[k]), cohesions.points[k], cohesions.get_values(k));
   if (!fields_->has_pressure()) return;
-  const std::vector<double> pressures = fields_->find_pressures(list_places(first, all, all, points));
+  const Sampled pressures =
+      sample(first, all, all, [&](const auto& places) { return fields_->find_pressures(places); });
   for (std::size_t e = 0; e < first.size(); ++e)
-    bends_pressure_[e] = differs(first.pore_pressure[e], &pressures[e * points.size()]);
+    bends_pressure_[e] = differs(first.pore_pressure[e], pressures.points[e], pressures.get_values(e));
 }
 
 bool CaseEnclosure::is_needed() const {
@@ -206,31 +240,71 @@ bool CaseEnclosure::is_needed() const {
          std::any_of(bends_pressure_.begin(), bends_pressure_.end(), is_set);
 }
 
+std::string CaseEnclosure::describe_gap() const {
+  if (!fields_->takes_spline()) return "";
+  return "the pore pressures come from a spline, which limit analysis evaluates at 45 points of each triangle and does "
+         "not enclose between them";
+}
+
+/// Returns the points of the lattice, and those inside the corners of the parts into which lines divide the triangle.
+std::vector<Weights> CaseEnclosure::list_points(const bounds::Problem& problem, std::size_t triangle) const {
+  std::vector<Weights> points = get_lattice().points;
+  const std::vector<Weights> more = kinks_.list(get_corners(problem, triangle));
+  points.insert(points.end(), more.begin(), more.end());
+  return points;
+}
+
+template <class Find>
+CaseEnclosure::Sampled CaseEnclosure::sample(const bounds::Problem& problem, const std::vector<std::size_t>& origins,
+                                             const std::vector<std::size_t>& triangles, Find find) const {
+  Sampled sampled;
+  std::vector<SoilPlace> places;
+  for (const std::size_t e : triangles) {
+    sampled.first.push_back(places.size());
+    sampled.points.push_back(list_points(problem, e));
+    for (const Weights& w : sampled.points.back()) places.push_back({origins[e], find_place(problem, e, w)});
+  }
+  sampled.values = find(places);
+  return sampled;
+}
+
 void CaseEnclosure::apply(bounds::Problem& problem, bounds::Bound bound) const {
-  const std::vector<Weights> points = list_lattice();
   const std::vector<std::size_t> origins = fields_->find_origins(problem);
   std::vector<std::size_t> of_strength, of_pressure;
   for (std::size_t e = 0; e < problem.size(); ++e) {
     if (bends_strength_[origins[e]]) of_strength.push_back(e);
     if (bends_pressure_[origins[e]]) of_pressure.push_back(e);
   }
-  const std::vector<double> cohesions =
-      fields_->find_cohesions(list_places(problem, origins, of_strength, points), bound);
+  const double safe = bound == bounds::Bound::lower ? 1 : -1;
+  // A function that is to be below `values` lies above the chords of a lattice where it is concave, and conversely.
+  const auto move = [&](Sampled& sampled, std::size_t k, double sign, double least) {
+    const double more = sign * std::max(least, get_lattice().find_second_difference(sampled.get_values(k), -sign));
+    for (std::size_t i = 0; i < sampled.points[k].size(); ++i) sampled.values[sampled.first[k] + i] += more;
+  };
+  Sampled cohesions =
+      sample(problem, origins, of_strength, [&](const auto& places) { return fields_->find_cohesions(places, bound); });
   for (std::size_t k = 0; k < of_strength.size(); ++k) {
-    const double* values = &cohesions[k * points.size()];
+    const std::size_t e = of_strength[k];
+    if (fields_->has_curved_strength(origins[e]))
+      move(cohesions, k, -safe, fields_->find_product_error(origins[e], get_corners(problem, e)));
+    for (std::size_t i = 0; i < cohesions.points[k].size(); ++i)
+      cohesions.values[cohesions.first[k] + i] = std::max(0.0, cohesions.values[cohesions.first[k] + i]);
+    const double* values = cohesions.get_values(k);
     std::array<double, 3> corners = find_corners(values);
     for (double& c : corners) c = std::max(0.0, c);
-    set_cohesion(problem, of_strength[k], corners);
-    enclose_cohesion(problem, of_strength[k], bound, points, values, rounding_);
+    set_cohesion(problem, e, corners);
+    enclose_cohesion(problem, e, bound, cohesions.points[k], values, rounding_);
   }
   if (of_pressure.empty()) return;
-  const std::vector<double> pressures = fields_->find_pressures(list_places(problem, origins, of_pressure, points));
+  Sampled pressures =
+      sample(problem, origins, of_pressure, [&](const auto& places) { return fields_->find_pressures(places); });
   for (std::size_t k = 0; k < of_pressure.size(); ++k) {
-    const double* values = &pressures[k * points.size()];
+    if (fields_->has_curved_pressure(origins[of_pressure[k]])) move(pressures, k, safe, 0);
+    const double* values = pressures.get_values(k);
     std::array<double, 3>& corners = problem.pore_pressure[of_pressure[k]];
     corners = find_corners(values);
     for (double& p : corners) p = std::abs(p) <= rounding_ ? 0 : p;
-    enclose_pressure(problem, of_pressure[k], bound, points, values, rounding_);
+    enclose_pressure(problem, of_pressure[k], bound, pressures.points[k], values, rounding_);
   }
 }
 

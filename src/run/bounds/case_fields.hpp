@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "base/vec.hpp"
@@ -12,6 +13,7 @@
 #include "bounds/find_bounds.hpp"
 #include "input/case/case.hpp"
 #include "mesh/mesh.hpp"
+#include "run/bounds/kink_points.hpp"
 #include "run/common/soil_column.hpp"
 #include "site/pore_water.hpp"
 #include "site/site.hpp"
@@ -49,6 +51,18 @@ class CaseFields {
 
   /// Returns true if the strength of the soil of a triangle depends on the place.
   bool has_variable_strength(std::size_t triangle) const;
+  /// Returns the lines between which strength and pore pressure are linear, unless they are curved.
+  std::vector<mesh::Polyline> list_kinks() const;
+  /// Returns true if the strength in a triangle may be curved between the lines of list_kinks(): it depends on a
+  /// distance, a power, or the products of two interpolations.
+  bool has_curved_strength(std::size_t triangle) const;
+  /// Returns how far the interpolation between profiles of strengths may be from a linear function in a triangle with
+  /// these corners that lies in one of the first mesh [Pa].
+  double find_product_error(std::size_t triangle, const std::array<Vec<2>, 3>& corners) const;
+  bool has_curved_pressure(std::size_t triangle) const;
+  /// Returns true if pore pressures come from a spline, of which no enclosure is known.
+  bool takes_spline() const;
+
   /// Returns true if the case has pore pressures.
   bool has_pressure() const { return has_pressure_; }
 
@@ -88,8 +102,11 @@ class CaseFields {
 };
 
 /// Puts strengths and pore pressures on the safe side of a bound, where they are not linear in the triangles of the
-/// first mesh: at 45 points of each triangle the strength of the case is not below that of the problem for the lower
-/// bound, and not above it for the upper one; pore pressures conversely.
+/// first mesh: nowhere in a triangle is the strength of the case below that of the problem for the lower bound, or
+/// above it for the upper one; pore pressures conversely. They are evaluated at the corners of the parts in which they
+/// are linear, where their extremes lie. Where they are curved, the largest second difference between 45 points is
+/// added: a concave or convex function lies between its chord and the extension of the next one, and a smooth one
+/// differs from the chord by an eighth of it.
 class CaseEnclosure {
  public:
   CaseEnclosure(std::shared_ptr<const CaseFields> fields, const bounds::Problem& first);
@@ -98,9 +115,25 @@ class CaseEnclosure {
   bool is_needed() const;
   /// Evaluates the strengths and pressures of such triangles, or of the parts into which they were divided.
   void apply(bounds::Problem& problem, bounds::Bound bound) const;
+  /// Returns a sentence on what is compared at points only; empty: everything is enclosed.
+  std::string describe_gap() const;
 
  private:
+  /// Points of triangles, and strengths or pressures there.
+  struct Sampled {
+    std::vector<std::vector<Weights>> points;  ///< by triangle, first those of the lattice
+    std::vector<std::size_t> first;            ///< index of its first value
+    std::vector<double> values;
+
+    const double* get_values(std::size_t k) const { return &values[first[k]]; }
+  };
+  template <class Find>
+  Sampled sample(const bounds::Problem& problem, const std::vector<std::size_t>& origins,
+                 const std::vector<std::size_t>& triangles, Find find) const;
+  std::vector<Weights> list_points(const bounds::Problem& problem, std::size_t triangle) const;
+
   std::shared_ptr<const CaseFields> fields_;
+  KinkPoints kinks_;
   double rounding_ = 0;                                ///< of strengths and pressures [Pa]
   std::vector<bool> bends_strength_, bends_pressure_;  ///< by triangle of the first mesh
 };

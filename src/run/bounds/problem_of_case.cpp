@@ -103,6 +103,7 @@ class ProblemBuilder {
       enclosure->apply(made_.problem, bounds::Bound::lower);
       enclosure->apply(*made_.stronger, bounds::Bound::upper);
       made_.enclosure = enclosure;
+      if (const std::string gap = enclosure->describe_gap(); !gap.empty()) made_.notes.push_back(gap);
     }
     if (has_bent_bars) {
       bars_->enclose(made_.problem, bounds::Bound::lower);
