@@ -116,6 +116,7 @@ void add_other_methods(const ResultFolder& folder, Packer& packer, json& documen
   add("finite_elements", pack_finite_elements(folder, packer, document["warnings"]));
   add("reduction", pack_reduction(folder, packer));
   add("proven_bounds", pack_proven_bounds(folder, packer, document["warnings"]));
+  add("construction_stages", pack_stages(folder, packer, document["warnings"]));
 }
 
 /// A picture that cannot be drawn does not prevent the report.

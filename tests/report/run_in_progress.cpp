@@ -161,6 +161,14 @@ TEST(RunInProgress, ReportHasTheStepsOfAStage) {
   // FEM at the end of the stage is a run of its own, which keeps nothing.
   EXPECT_GT(result["construction"]["least"], 0.5);
   EXPECT_FALSE(fs::exists(folder / "stage_1" / results::present_folder));
+
+  const Content content = collect_report(folder);
+  EXPECT_EQ(find_schema_faults(content.document.get()), "");
+  const json& drawn = content.document.get()["construction_stages"];
+  ASSERT_EQ(drawn["stages"].size(), 1U);
+  EXPECT_EQ(drawn["stages"][0]["stage"], "lift");
+  EXPECT_EQ(drawn["stages"][0]["displacement"]["shape"][0], drawn["nodes"]["shape"][0]);
+  EXPECT_TRUE(drawn["stages"][0].contains("pressure"));
 }
 
 TEST(RunInProgress, SeepageStoresEveryState) {

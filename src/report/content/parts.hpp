@@ -77,6 +77,8 @@ std::vector<std::string> list_point_assumptions();
 nlohmann::json pack_slices(const ResultFolder& folder, Packer& packer, nlohmann::json& warnings);
 nlohmann::json pack_finite_elements(const ResultFolder& folder, Packer& packer, nlohmann::json& warnings);
 nlohmann::json pack_proven_bounds(const ResultFolder& folder, Packer& packer, nlohmann::json& warnings);
+/// Packs mesh and fields of the stages of construction, `StagesDrawn`; null without stages, in 3D and of large meshes.
+nlohmann::json pack_stages(const ResultFolder& folder, Packer& packer, nlohmann::json& warnings);
 /// Packs the strength reduction in progress, `ReductionSoFar`; returns null without one.
 nlohmann::json pack_reduction(const ResultFolder& folder, Packer& packer);
 

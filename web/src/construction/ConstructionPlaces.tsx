@@ -7,10 +7,11 @@ import { Chart } from "../charts/base/Chart";
 import { Legend } from "../charts/base/Legend";
 import { styleOf } from "../charts/base/styles";
 import type { Unit } from "../contract";
-import type { Construction, ConstructionMonitor } from "../contract/results";
+import type { Construction, ConstructionMonitor, ConstructionSupport } from "../contract/results";
 import { ChartTable } from "../page/DataTable";
 import { formatNumber, formatQuantity } from "../page/format";
 import { report } from "../state";
+import { listAlongSupports } from "./construction";
 import { type Curve, Curves } from "./Curves";
 
 interface TimeProps {
@@ -126,6 +127,8 @@ export function MonitorsInTime({ construction: { monitors }, time, times, ends, 
   );
 }
 
+const ofMoment: Unit = { si: 1e3, name: "kN·m/m" };
+
 /** Values along section lines at the ends of the stages. */
 export function LinesOfStages({ construction: { lines }, isWet }: { construction: Construction; isWet: boolean }) {
   const { units } = report.value;
@@ -163,14 +166,47 @@ export function LinesOfStages({ construction: { lines }, isWet }: { construction
   );
 }
 
-/** Forces of the supports at the ends of the stages, and MPM from them. */
-export function SupportsOfStages({ construction: { stages } }: { construction: Construction }) {
+/** Moment, shear force and deflection of walls and axial force of bars along each support, a curve for each stage. */
+function AlongSupports({ construction }: { construction: Construction }) {
   const { units } = report.value;
-  const forces = stages.flatMap(({ name, supports }) => supports.map((s) => ({ stage: name, ...s })));
-  const released = stages.flatMap(({ name, release }) => (release ? [{ stage: name, release }] : []));
-  const ofMoment: Unit = { si: 1e3, name: "kN·m/m" };
+  const quantities = [
+    { title: "Bending moment", unit: ofMoment, find: (s: ConstructionSupport) => ({ place: s.place, value: s.moment }) },
+    { title: "Shear force", unit: units.line_force, find: (s: ConstructionSupport) => ({ place: s.place, value: s.shear }) },
+    {
+      title: "Deflection",
+      unit: units.displacement,
+      find: (s: ConstructionSupport) => ({ place: s.deflection_place ?? [], value: s.deflection ?? [] }),
+    },
+    { title: "Axial force", unit: units.line_force, find: (s: ConstructionSupport) => ({ place: s.place, value: s.moment.length > 0 ? [] : s.force }) },
+  ];
   return (
     <>
+      {quantities.flatMap(({ title, unit, find }) =>
+        listAlongSupports(construction, find).map(({ name, at, curves }) => (
+          <Curves
+            key={`${title} ${name}`}
+            title={`${title} of '${name}'`}
+            unit={unit}
+            along={`Distance from the head of '${name}'`}
+            at={at}
+            atUnit={units.length}
+            curves={curves}
+          />
+        )),
+      )}
+    </>
+  );
+}
+
+/** Forces of the supports at the ends of the stages, and MPM from them. */
+export function SupportsOfStages({ construction }: { construction: Construction }) {
+  const { units } = report.value;
+  const { stages } = construction;
+  const forces = stages.flatMap(({ name, supports }) => supports.map((s) => ({ stage: name, ...s })));
+  const released = stages.flatMap(({ name, release }) => (release ? [{ stage: name, release }] : []));
+  return (
+    <>
+      <AlongSupports construction={construction} />
       {forces.length > 0 && (
         <ChartTable
           label="Forces of supports at the ends of the stages"

@@ -14,6 +14,7 @@ import { report } from "../state";
 import { LinesOfStages, MonitorsInTime, SupportsOfStages } from "./ConstructionPlaces";
 import { chooseTimeUnit, findFurthestExcess, listFactors, listSteps } from "./construction";
 import { Curves } from "./Curves";
+import { StageFigure } from "./StageFigure";
 
 /** The factors of all methods at the ends of the stages. */
 function Factors({ construction, time, ends }: { construction: Construction; time: Unit; ends: number[] }) {
@@ -71,7 +72,7 @@ function Factors({ construction, time, ends }: { construction: Construction; tim
 export function ConstructionSection() {
   const construction = report.value.result.construction;
   if (!construction) return null;
-  const { units } = report.value;
+  const { units, construction_stages: drawn } = report.value;
   const { stages } = construction;
   const steps = listSteps(construction);
   const time = chooseTimeUnit(stages.at(-1)?.to ?? 0);
@@ -111,6 +112,7 @@ export function ConstructionSection() {
       )}
       <MonitorsInTime construction={construction} time={time} times={monitorTimes} ends={ends} isWet={isWet} />
       <LinesOfStages construction={construction} isWet={isWet} />
+      {drawn && <StageFigure construction={construction} drawn={drawn} />}
       <SupportsOfStages construction={construction} />
       <ChartTable
         label="Stages of construction"

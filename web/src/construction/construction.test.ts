@@ -3,7 +3,7 @@ import { expect, test } from "vitest";
 
 import type { ShownResult } from "../contract";
 import type { Construction } from "../contract/results";
-import { chooseTimeUnit, keepFurthestOfStages, listFactors, listSteps } from "./construction";
+import { chooseTimeUnit, keepFurthestOfStages, listAlongSupports, listFactors, listSteps } from "./construction";
 
 const step = (time: number, settlement: number) => ({
   time,
@@ -75,5 +75,22 @@ test("results at the ends of stages are those furthest from zero", () => {
   ];
   expect(keepFurthestOfStages(results).map(({ name }) => name)).toEqual([
     "other", "construction[cut].least_excess", "construction[fill].settlement",
+  ]);
+});
+
+test("a wall has a curve for each stage, at the places of the last one", () => {
+  const wall = (place: number[], moment: number[]) => ({ support: "sheet", row: 1, place, moment });
+  const supports = [[wall([0, 2], [0, 4])], [], [wall([0, 1, 2], [0, 5, 6])]];
+  const stages = construction.stages.concat(construction.stages[0]!).map((s, i) => ({ ...s, name: `stage ${i}`, supports: supports[i]! }));
+  const curves = listAlongSupports({ ...construction, stages } as unknown as Construction, (s) => ({ place: s.place, value: s.moment }));
+  expect(curves).toEqual([
+    {
+      name: "sheet",
+      at: [0, 1, 2],
+      curves: [
+        { title: "stage 0", values: [0, 2, 4] },
+        { title: "stage 2", values: [0, 5, 6] },
+      ],
+    },
   ]);
 });

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /** Stages of construction as curves in time: settlement, excess pore pressure, and the factors at the ends of the stages. */
 import type { ShownResult, Unit } from "../contract";
-import type { Construction } from "../contract/results";
+import type { Construction, ConstructionSupport } from "../contract/results";
 
 /** The unit of a time axis: hours, days or years, so that its numbers have few digits. */
 export function chooseTimeUnit(duration: number): Unit {
@@ -58,4 +58,41 @@ export function keepFurthestOfStages(results: ShownResult[]): ShownResult[] {
     if (!known || Math.abs(result.value) > Math.abs(known.value)) furthest.set(result.quantity, result);
   }
   return results.filter((result) => !ofStage(result) || furthest.get(result.quantity) === result);
+}
+
+export interface SupportCurves {
+  name: string;
+  /** Distances from the head [m]. */
+  at: number[];
+  /** One for each stage that has the support, in SI. */
+  curves: { title: string; values: number[] }[];
+}
+
+type Along = (support: ConstructionSupport) => { place: (number | null)[]; value: (number | null)[] };
+
+/** Interpolates linearly between places that increase, constant beyond them. */
+function interpolate(place: number[], value: number[], x: number): number {
+  const after = place.findIndex((p) => p >= x);
+  if (after === 0 || after < 0) return value.at(after)!;
+  const share = (x - place[after - 1]!) / (place[after]! - place[after - 1]!);
+  return value[after - 1]! + share * (value[after]! - value[after - 1]!);
+}
+
+/** A quantity along each support at the ends of the stages, at the places of the last stage; supports without it are left out. */
+export function listAlongSupports({ stages }: Construction, find: Along): SupportCurves[] {
+  const found = new Map<string, SupportCurves>();
+  const rows = stages.flatMap(({ supports }) => supports);
+  for (const stage of [...stages].reverse())
+    for (const support of stage.supports) {
+      const { place, value } = find(support);
+      if (value.length === 0) continue;
+      const isOneOfRows = rows.some((r) => r.support === support.support && r.row !== support.row);
+      const name = isOneOfRows ? `${support.support}, row ${support.row}` : support.support;
+      const at = place.map((x) => x ?? 0);
+      const values = value.map((v) => v ?? 0);
+      const known = found.get(name) ?? { name, at, curves: [] };
+      known.curves.unshift({ title: stage.name, values: known.at.map((x) => interpolate(at, values, x)) });
+      found.set(name, known);
+    }
+  return [...found.values()];
 }

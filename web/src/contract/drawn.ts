@@ -53,6 +53,26 @@ export interface PackedElementFields {
   yields: PackedArray;
 }
 
+/** Stages of construction: their mesh of triangles and the fields at their ends. */
+export interface StagesDrawn {
+  nodes: PackedPlaces;
+  /** [element][3]. */
+  elements: PackedArray;
+  /** Of the stages in their order; stages that were not calculated are absent. */
+  stages: PackedStageFields[];
+}
+
+export interface PackedStageFields {
+  stage: string;
+  /** [element] u8: 0 without soil, 1 with soil, 2 where most of it yields. */
+  state: PackedArray;
+  /** [node][2] u16 [m], since the start of the stages. */
+  displacement: PackedArray;
+  /** [node] u16, pore pressure and excess pore pressure [Pa]; absent in dry ground. */
+  pressure?: PackedArray;
+  excess?: PackedArray;
+}
+
 /** A strength reduction by FEM in progress, with the fields of its last trial. */
 export interface ReductionSoFar {
   /** Flow rule and mesh. */

@@ -8,7 +8,7 @@
  * converts for display.
  */
 import type { Answer, InputTable, MethodsRead } from "./answer";
-import type { BoundsDrawn, ElementsDrawn, ReductionSoFar, Slices } from "./drawn";
+import type { BoundsDrawn, ElementsDrawn, ReductionSoFar, Slices, StagesDrawn } from "./drawn";
 import type { Model, Water } from "./model";
 import type { Calibration, Method, PointTests, RunResult, StudyResult, Unit } from "./results";
 import type { Section, Sequence, StudyShown, Table, TimelineShown } from "./run";
@@ -61,6 +61,8 @@ export interface ReportDocument {
   slices?: Slices;
   finite_elements?: ElementsDrawn;
   proven_bounds?: BoundsDrawn;
+  /** Of stages of construction. */
+  construction_stages?: StagesDrawn;
   /** Of a run in progress. */
   reduction?: ReductionSoFar;
   /** Of a case with a timeline. */

@@ -15,7 +15,7 @@ interface Room {
   radius: number;
 }
 
-function isInside([x, y]: Point, points: readonly Point[]): boolean {
+export function isInside([x, y]: Point, points: readonly Point[]): boolean {
   let inside = false;
   points.forEach((a, i) => {
     const b = points[(i + 1) % points.length]!;
@@ -105,11 +105,12 @@ export function describeStrength(material: string): string {
 
 /**
  * The name of each soil where its polygon is widest, over its strength where both fit; none where it would
- * not fit. `follow`: present position of the soil that lay at a place [m]. Returns the places of the texts.
+ * not fit. `follow`: present position of the soil that lay at a place [m]; null where there is none. Returns the places
+ * of the texts.
  */
 export function drawSoilNames(
   { context, camera, place, theme }: Pick<Pen, "context" | "camera" | "place" | "theme">,
-  follow: (at: [number, number]) => readonly number[] = (at) => at,
+  follow: (at: [number, number]) => readonly number[] | null = (at) => at,
 ): LabelBox[] {
   const { polygons } = report.value.model;
   const boxes: LabelBox[] = [];
@@ -121,7 +122,9 @@ export function drawSoilNames(
     const space = room.radius * camera.scale;
     if (!fits(material) || space < 8) return;
     context.textAlign = "center";
-    const [x, y] = place(follow(room.at));
+    const now = follow(room.at);
+    if (!now) return;
+    const [x, y] = place(now);
     const strength = describeStrength(material);
     const lines = strength && space >= 18 && fits(strength) ? [material, strength] : [material];
     lines.forEach((text, k) => writeLabel(context, text, [x, y + 14 * k], theme, theme.ink));
@@ -197,9 +200,9 @@ export function drawCrack({ context, place, theme }: Pick<Pen, "context" | "plac
   }
 }
 
-/** Supports: a bar with its bonded part and a plate at its head. */
-export function drawBars({ context, place, theme }: Pen): void {
-  for (const { head, end, bonded } of report.value.model.bars) {
+/** Supports that `isShown`: a bar with its bonded part and a plate at its head. */
+export function drawBars({ context, place, theme }: Pen, isShown = (_bar: { support: string; row: number }) => true): void {
+  for (const { head, end, bonded } of report.value.model.bars.filter(isShown)) {
     const [a, b] = [place(head), place(end)];
     const length = Math.hypot(end[0]! - head[0]!, end[1]! - head[1]!);
     const pixels = Math.hypot(b[0] - a[0], b[1] - a[1]);
