@@ -271,5 +271,22 @@ at = [13, -2]
   EXPECT_LT(construction.at("stages")[0].at("start_imbalance").get<double>(), 0.05);
 }
 
+/// The strutted sheet pile of CUR 166 by FEM of KratosMultiphysics (applications/GeoMechanicsApplication,
+/// crow_validation): moments −101.38 and −338.98 kNm/m, strut 77.9 and 142.2 kN/m at pits of 5 and 8 m; subgrade
+/// reaction has −309.96 and 140.6 at 8 m. Meshes and interfaces differ; the band was set after the first run.
+TEST_F(StagedSupports, TheStruttedPileOfCur166HasTheForcesOfAnotherProgram) {
+  run::RunOptions options;
+  options.folder = support::make_scratch("strutted_pile");
+  const auto result = support::run_case(
+      input::read_case(std::string(TALUS_SOURCE_DIR) + "/examples/anchored_pit/strutted_pile.toml", {}), options);
+  const auto& stages = result["construction"]["stages"];
+  const auto find = [&](std::size_t stage, const char* key) { return stages[stage]["supports"][0][key]; };
+  constexpr double band = 0.03;
+  EXPECT_NEAR(find(3, "largest_moment").template get<double>(), 101.38e3, band * 101.38e3);
+  EXPECT_NEAR(find(4, "largest_moment").template get<double>(), 338.98e3, band * 338.98e3);
+  EXPECT_NEAR(find(3, "struts")[0].template get<double>(), 77.9e3, band * 77.9e3);
+  EXPECT_NEAR(find(4, "struts")[0].template get<double>(), 142.2e3, band * 142.2e3);
+}
+
 }  // namespace
 }  // namespace talus
