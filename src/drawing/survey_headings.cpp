@@ -88,12 +88,12 @@ std::span<const std::pair<const char*, const char*>> get_coordinate_pairs() {
 std::string find_length_unit(std::string_view text) {
   std::string word = to_lower(text);
   word = word.substr(0, word.find_first_of(" +."));
-  constexpr std::array<std::pair<const char*, const char*>, 25> units{
-      {{"m", "m"},      {"meter", "m"},  {"meters", "m"},  {"metre", "m"},  {"metres", "m"},
-       {"maod", "m"},   {"mod", "m"},    {"masl", "m"},    {"mamsl", "m"},  {"mbgl", "m"},
-       {"mbgs", "m"},   {"mnap", "m"},   {"ft", "ft"},     {"foot", "ft"},  {"feet", "ft"},
-       {"ftbgs", "ft"}, {"ftbgl", "ft"}, {"ftamsl", "ft"}, {"ftmsl", "ft"}, {"mm", "mm"},
-       {"cm", "cm"},    {"dm", "dm"},    {"km", "km"},     {"in", "inch"},  {"yd", "yard"}}};
+  constexpr std::array<std::pair<const char*, const char*>, 29> units{
+      {{"m", "m"},     {"meter", "m"},  {"meters", "m"}, {"metre", "m"},   {"metres", "m"}, {"maod", "m"},
+       {"mod", "m"},   {"masl", "m"},   {"mamsl", "m"},  {"mbgl", "m"},    {"mbgs", "m"},   {"mnap", "m"},
+       {"mahd", "m"},  {"mnhn", "m"},   {"mnn", "m"},    {"mtaw", "m"},    {"ft", "ft"},    {"foot", "ft"},
+       {"feet", "ft"}, {"ftbgs", "ft"}, {"ftbgl", "ft"}, {"ftamsl", "ft"}, {"ftmsl", "ft"}, {"mm", "mm"},
+       {"cm", "cm"},   {"dm", "dm"},    {"km", "km"},    {"in", "inch"},   {"yd", "yard"}}};
   for (const auto& [name, unit] : units)
     if (word == name) return unit;
   return "";

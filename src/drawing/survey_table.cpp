@@ -324,12 +324,33 @@ void SurveyTable::read_units_row() {
   if (std::any_of(columns_.begin(), columns_.end(), is_type)) first_row_ = 2;
 }
 
+double SurveyTable::read_number(std::size_t row, std::size_t column) const {
+  const std::string cell = text_.cell(row, column);
+  const std::size_t plus = cell.find('+');
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  const auto count_digits = [&](std::size_t from) {
+    return static_cast<std::size_t>(
+               std::find_if_not(cell.begin() + static_cast<std::ptrdiff_t>(from), cell.end(), is_digit) -
+               cell.begin()) -
+           from;
+  };
+  if (plus == std::string::npos || plus == 0 || count_digits(0) != plus) return text_.number(row, column);
+  const std::size_t digits = count_digits(plus + 1);
+  double stations = 0, rest = 0;
+  const char *const from = cell.data(), *const end = from + cell.size();
+  if ((digits != 2 && digits != 3) || parse_number(from, from + plus, stations) != from + plus ||
+      parse_number(from + plus + 1, end, rest) != end)
+    fail_input("{}: '{}' is not a station: two or three digits are expected after '+', as in 0+012.5 or 12+50",
+               text_.place(row), cell);
+  return stations * (digits == 3 ? 1000 : 100) + rest;
+}
+
 bool SurveyTable::is_numeric(std::size_t column) const {
   constexpr std::size_t most_tries = 20;
   for (std::size_t row = 0; row < std::min(text_.rows(), most_tries); ++row) {
     if (input::is_missing(text_.cell(row, column), -99)) continue;
     try {
-      text_.number(row, column);
+      read_number(row, column);
       return true;
     } catch (const Error&) {
       continue;
@@ -346,7 +367,7 @@ bool SurveyTable::has_text(std::size_t column) const {
 
 std::optional<double> SurveyTable::read_length(std::size_t row, const DepthColumn& column) const {
   if (input::is_missing(text_.cell(row, column.column), -99)) return std::nullopt;
-  const double value = text_.number(row, column.column) * column.factor;
+  const double value = read_number(row, column.column) * column.factor;
   constexpr double farthest = 1e9;  // [m]
   if (!(std::abs(value) < farthest)) fail_input("{}: {:.6g} m is too far away", text_.place(row), value);
   return value;

@@ -100,6 +100,8 @@ class SurveyTable {
   bool is_headed(Role role, const std::vector<std::string>& keys) const;
   /// Takes the first row as units if it has them in a column of lengths.
   void read_units_row();
+  /// Returns the number of a cell; "0+012.5" and "12+50" are stations of 1000 and 100 with what follows them.
+  double read_number(std::size_t row, std::size_t column) const;
   bool is_numeric(std::size_t column) const;
   bool has_text(std::size_t column) const;
 

@@ -207,5 +207,21 @@ TEST(SurveyChainage, IsNotNeededBesideCoordinatesOfOneKind) {
   expect_line(read_texts({text}).ground, slope_of_120_m, 0.01, "easting with northing");
 }
 
+TEST(SurveyChainage, IsReadFromStations) {
+  const mesh::Polyline right{{0, 10}, {12.5, 10.25}, {1045, 2}};
+  expect_line(read_texts({"Chainage,RL (mAHD)\n0+000,10\n0+012.5,10.25\n1+045,2\n"}).ground, right, 1e-12, "metres");
+  expect_line(read_texts({"Station [ft],Level [ft]\n0+00,30\n12+50.5,20\n"}).ground,
+              {{0, 30 * 0.3048}, {1250.5 * 0.3048, 20 * 0.3048}}, 1e-9, "feet");
+  EXPECT_TRUE(says(read_texts({"Chainage,Level\n0+000,10\n0+1,9\n0+020,9\n"}), "'0+1' is not a station"));
+}
+
+TEST(SurveyChainage, ABaseLiesBelowAllLines) {
+  SurveyOptions options;
+  for (const double base : {50.0, 2.0, 1e308}) {
+    options.base = base;
+    EXPECT_NE(find_refusal("x,y\n0,10\n30,2\n", options).find("the base is below it"), std::string::npos) << base;
+  }
+}
+
 }  // namespace
 }  // namespace talus::drawing
