@@ -23,7 +23,7 @@ ALLOWED = {
     "sparse": ["base"],
     "fem": ["base", "material", "mesh", "input", "sparse"],
     "lem": ["base", "mesh"],
-    "bounds": ["base", "sparse"],
+    "bounds": ["base", "mesh", "sparse"],
     "output": ["base", "results", "input"],
     "site": ["base", "material", "mesh", "results", "input", "mpm/state", "fem/seepage", "fem/solid", "lem/section"],
     "run": ["base", "material", "mesh", "results", "input", "mpm", "fem", "lem", "bounds", "output", "site"],
