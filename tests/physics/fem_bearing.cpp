@@ -16,15 +16,19 @@ constexpr double half_width = 1, cohesion = 10e3;
 
 constexpr double pressure = 4 * cohesion;  ///< stable at full strength
 
-/// Half of a flexible strip of half-width 1 m on a block of 5 m × 3 m, elements of `size` near the strip.
-fem::ReductionResult<2> reduce_strip(double size, double dilatancy) {
+/// Half of a flexible strip of half-width 1 m on a block of 5 m × 3 m, elements of `size` near the strip, or of four
+/// times that everywhere.
+mesh::Mesh<2> make_block(double size, bool is_even = false) {
   mesh::Plan plan;
   plan.box_min = {0, 0};
   plan.box_max = {5, 3};
   plan.size = 4 * size;
   plan.polygons = {{"clay", {{0, 0}, {5, 0}, {5, 3}, {half_width, 3}, {0, 3}}}};
-  plan.refinements = {{{{0, 3}, {half_width, 3}}, size, 3}, {{{half_width, 3}}, size / 3, 1}};
-  const auto mesh = mesh::generate<2>(plan);
+  if (!is_even) plan.refinements = {{{{0, 3}, {half_width, 3}}, size, 3}, {{{half_width, 3}}, size / 3, 1}};
+  return mesh::generate<2>(plan);
+}
+
+fem::ReductionResult<2> reduce_strip(const mesh::Mesh<2>& mesh, double dilatancy, double from = 1.1, double to = 1.4) {
   fem::SolidModel<2> model;
   model.mesh = &mesh;
   model.make_law = [&](int, double factor) -> material::Law {
@@ -43,8 +47,12 @@ fem::ReductionResult<2> reduce_strip(double size, double dilatancy) {
                            mesh, [](const Vec<2>& x) { return std::abs(x[1] - 3) < 1e-9 && x[0] < half_width + 1e-9; }),
                        {0, -pressure});
   fem::ReductionOptions options;
-  options.from = 1.1, options.to = 1.4, options.resolution = 0.002;
+  options.from = from, options.to = to, options.resolution = 0.002;
   return fem::reduce_strength<2>(model, options);
+}
+
+fem::ReductionResult<2> reduce_strip(double size, double dilatancy) {
+  return reduce_strip(make_block(size), dilatancy);
 }
 
 /// N_c.
@@ -59,6 +67,19 @@ TEST(StripFooting, BearingCapacityOfClayIsPrandtls) {
   EXPECT_GT(errors[0], -0.005);  // elements of displacements are an upper bound, but for their points
   EXPECT_LT(errors[1], 0.015);
   EXPECT_LT(errors[1], 0.7 * errors[0]);
+}
+
+TEST(StripFooting, FirstBracketOnEitherSideLeadsToTheSameFactor) {
+  const mesh::Mesh<2> mesh = make_block(0.25, true);
+  const double expected = reduce_strip(mesh, 0).factor;
+  for (const double away : {-0.2, -0.003, 0.003, 0.2}) {
+    const auto found = reduce_strip(mesh, 0, expected + away, expected + away + 0.004);
+    EXPECT_NEAR(found.factor, expected, 0.002) << away;
+    EXPECT_LE(found.failed - found.stable, 0.002 * (1 + 1e-9)) << away;
+    if (std::abs(away) < 0.1) {
+      EXPECT_LE(found.trials.size(), 4u) << "a bracket beside the factor is widened by its width";
+    }
+  }
 }
 
 TEST(StripFooting, IntervalOfTwoMeshesHoldsPrandtlsFactor) {

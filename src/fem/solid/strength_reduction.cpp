@@ -114,14 +114,15 @@ class Reduction {
       }
       low_ = unstable_;
     }
+    double width = std::max(options_.to - std::max(options_.from, low_), options_.resolution);
     if (options_.from > low_) {
-      if (!try_factor(options_.from)) {
-        high_ = options_.from;
+      high_ = options_.from;
+      if (!try_factor(high_)) {
+        widen_down(width);
         return;
       }
       low_ = options_.from;
     }
-    double width = std::max(options_.to - low_, options_.resolution);
     while (low_ < options_.largest) {
       high_ = std::min(low_ + width, options_.largest);
       if (!try_factor(high_)) return;
@@ -130,6 +131,18 @@ class Reduction {
     }
     fail_input("the soil is still stable with its strength divided by {:g}: it has no factor of safety",
                options_.largest);
+  }
+
+  /// Searches a stable factor below the failed high_; low_ is known to be one.
+  void widen_down(double width) {
+    while (high_ - width > low_) {
+      if (try_factor(high_ - width)) {
+        low_ = high_ - width;
+        return;
+      }
+      high_ -= width;
+      width *= 2;
+    }
   }
 
   bool try_factor(double factor) {
