@@ -79,7 +79,10 @@ std::string describe_elements(const input::Case& data) {
                                                                     : "ψ as given and ψ = φ";
   std::string sizes;
   if (data.mesh.file.empty()) sizes = " with elements of " + show_length(data, size);
-  if (data.mesh.file.empty() && data.fem.meshes > 1) sizes += " and of " + show_length(data, 2 * size);
+  if (data.mesh.file.empty() && data.fem.adapt)
+    sizes = fmt::format(" with elements of {}, refined where the soil shears", show_length(data, 2 * size));
+  else if (data.mesh.file.empty() && data.fem.meshes > 1)
+    sizes += " and of " + show_length(data, 2 * size);
   const std::string davis =
       data.fem.davis == input::DavisRule::none || data.fem.flow == input::FlowRule::associated
           ? ""

@@ -77,7 +77,7 @@ void describe(Visitor& v, ElementRun& r) {
   v.key("factor", r.factor, {"", "factor of safety"});
   v.key("stable", r.stable, {"", "largest factor with equilibrium"});
   v.key("failed", r.failed, {"", "smallest factor without equilibrium"});
-  v.maybe("meshes", r.meshes, {"", "factors on two meshes, from which the factor is extrapolated"});
+  v.maybe("meshes", r.meshes, {"", "factors by mesh, coarse to fine; the factor is extrapolated from the last two"});
   v.maybe("interval", r.interval, {"", "interval of the factor: mesh and search; left out where there is one mesh"});
   v.maybe("earthquake", r.earthquake, {"", "direction of the earthquake that governs"});
   v.maybe("verdict", r.verdict, {"", "what limit analysis proves of the factor"});

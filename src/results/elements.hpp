@@ -32,9 +32,9 @@ struct ElementTrial {
 };
 void describe(Visitor& v, ElementTrial& r);
 
-/// Factor of safety on one of two meshes.
+/// Factor of safety on one of several meshes.
 struct ElementMeshFactor {
-  double size = 0;  ///< mean element size [m]
+  double size = 0;  ///< mean element size, of adapted meshes weighted by the shear work (T19.17) [m]
   double factor = 0, stable = 0, failed = 0;
   std::optional<double> flowing;  ///< nullopt if all failed trials reached the iteration limit
 };
@@ -106,7 +106,7 @@ struct ElementRun {
   std::optional<std::vector<SideLine>> sides;  ///< smaller x first; nullopt if the soil moves in one direction
   double seconds = 0;
   std::vector<std::string> warnings;
-  std::optional<std::vector<ElementMeshFactor>> meshes;  ///< coarse to fine; if set, `factor` is extrapolated from them
+  std::optional<std::vector<ElementMeshFactor>> meshes;  ///< coarse to fine; `factor` is extrapolated from the last two
   std::optional<EarthquakeSide> earthquake;  ///< nullopt without earthquake or if the case gives its direction
   std::optional<ElementInterval> interval;   ///< nullopt if the discretisation error is unknown, as with one mesh
   std::optional<Verdict> verdict;            ///< by bounds for the soil with ψ = φ; nullopt if none apply

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // [fem] meshes: with two, the factor is extrapolated from the runs on each of them to zero element size and has an
-// interval; with one there is no interval.
+// interval; with one there is no interval. [fem] adapt: the meshes are refined where the soil shears.
 
 #include "base/extrapolate.hpp"
 #include "cases/methods_slope.hpp"
@@ -50,6 +50,32 @@ TEST_F(ElementMeshes, IntervalOfAssociatedFlowHoldsTheFactorOfSpencersCircle) {
   EXPECT_EQ(row.at("lower"), interval.at("lower"));
   EXPECT_EQ(row.at("upper"), interval.at("upper"));
   EXPECT_NE(join_remarks(summary).find("the interval of mesh and search"), std::string::npos);
+}
+
+TEST_F(ElementMeshes, AdaptedMeshesHaveANarrowIntervalThatMeetsThatOfLimitAnalysis) {
+  const json summary =
+      run(text_, {{"fem.flow", "associated"}, {"fem.adapt", "true"}, {"fem.size", "1.5"}, {"fem.resolution", "0.005"}});
+  const json& fem = summary.at("fem");
+  const json& found = fem.at("runs").at(0);
+  const json &meshes = found.at("meshes"), &interval = found.at("interval");
+  ASSERT_GE(meshes.size(), 3u);
+  const json &coarse = meshes[meshes.size() - 2], &fine = meshes.back();
+  EXPECT_NEAR(found.at("factor").get<double>(),
+              extrapolate_to_zero(coarse.at("size"), coarse.at("factor"), fine.at("size"), fine.at("factor")), 1e-12);
+  const double lower = interval.at("lower"), upper = interval.at("upper");
+  EXPECT_LE(lower, 1.4572) << "the upper bound of limit analysis";
+  EXPECT_GE(upper, 1.4309) << "its lower bound";
+  EXPECT_LT(upper - lower, 0.05 * upper);
+  EXPECT_EQ(found.at("stable"), fine.at("stable"));
+  EXPECT_LT(fine.at("size").get<double>(), 0.7 * fem.at("size").get<double>()) << "finest where the soil shears";
+}
+
+TEST_F(ElementMeshes, CasesThatAreNotAdaptedKeepTwoMeshesAndSayWhy) {
+  const json summary = run(text_, {{"fem.flow", "both"}, {"fem.adapt", "true"}, {"fem.size", "4"}});
+  EXPECT_NE(summary.at("warnings").dump().find("the mesh is not adapted: both flow rules share one mesh"),
+            std::string::npos)
+      << summary.at("warnings");
+  for (const json& found : summary.at("fem").at("runs")) EXPECT_EQ(found.at("meshes").size(), 2u);
 }
 
 TEST_F(ElementMeshes, OneMeshHasNoInterval) {

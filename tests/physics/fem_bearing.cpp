@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "mesh/bisect.hpp"
+#include "run/fem/adapted_mesh.hpp"
 #include "run/fem/element_run.hpp"
 #include "support/solid_model.hpp"
 
@@ -90,6 +92,30 @@ TEST(StripFooting, IntervalOfTwoMeshesHoldsPrandtlsFactor) {
   EXPECT_LE(interval->lower, exact);
   EXPECT_GE(interval->upper, exact);
   EXPECT_LT(interval->upper - interval->lower, 0.05 * exact) << "and the interval is narrow";
+}
+
+TEST(StripFooting, IntervalOfAdaptedMeshesHoldsPrandtlsFactor) {
+  const double exact = (2 + std::acos(-1.0)) * cohesion / pressure;
+  std::vector<results::ElementMeshFactor> meshes;
+  mesh::Mesh<2> mesh = make_block(0.25, true);
+  const std::size_t most = 10 * mesh.elements.size();
+  for (;;) {
+    const auto quadratic = fem::make_quadratic<2>(mesh);
+    const auto found = reduce_strip(mesh, 0);
+    const auto work = run::compute_shear_work(quadratic, found.at_failure, found.mechanism);
+    meshes.push_back(run::make_mesh_factor_result(found, run::compute_shear_size(mesh, quadratic, work)));
+    const auto marked = run::mark_shear(mesh, quadratic, work, most);
+    if (!marked || meshes.size() == 3) break;
+    mesh = mesh::refine(mesh, *marked);
+    EXPECT_LE(mesh.elements.size(), most);
+  }
+  ASSERT_EQ(meshes.size(), 3u);
+  EXPECT_GT(meshes[0].size, 1.10 * meshes[1].size) << "the size of the mechanism nearly halves";
+  const auto interval = run::find_sequence_interval(meshes);
+  ASSERT_TRUE(interval.has_value());
+  EXPECT_LE(interval->lower, exact);
+  EXPECT_GE(interval->upper, exact);
+  EXPECT_LT(interval->upper - interval->lower, run::widest_interval * exact);
 }
 
 }  // namespace

@@ -13,6 +13,13 @@ void describe(Visitor& v, FiniteElements& f) {
         "2: the search is repeated on elements of twice the size, the factor is extrapolated to size zero, and its "
         "interval holds the error of the mesh. 1: one mesh, whose error is not known. If not given, it is 1 in 3D and "
         "for a ready mesh file.");
+  v.key(
+      "adapt", f.adapt, plain(),
+      "true: the mesh has elements of twice the size first and is refined where the soil shears at failure, until the "
+      "interval is at most 3 % wide or the mesh has about 1.5 times the elements of one of `size`. The factor is "
+      "extrapolated from the last two of at least three meshes, in place of `meshes`. In 3D and with a ready mesh "
+      "file, walls, seepage, bedding, stages, soil that softens or two flow rules the mesh is not adapted, and a "
+      "warning says why.");
   v.key("flow", f.flow, plain(), "Plastic flow of the trials.");
   v.key(
       "davis", f.davis, plain(),

@@ -23,6 +23,7 @@ struct FiniteElements {
   std::optional<double> size;  ///< element size [m]; not given: that of [mesh]
   mesh::Algorithm algorithm = mesh::Algorithm::delaunay;
   int meshes = 2;                      ///< 2: also a mesh of twice the size, with linear extrapolation
+  bool adapt = false;                  ///< refine the mesh where the soil shears, in place of `meshes`
   FlowRule flow = FlowRule::as_given;  ///< both: ψ as given, and ψ = φ
   DavisRule davis = DavisRule::none;   ///< of the trials with ψ as given
   FemSoftening softening = FemSoftening::none;

@@ -129,9 +129,11 @@ class Comparison {
       }
       row.seconds = run.seconds;
       row.note = fmt::format("{}, {} elements of {}", fem.element, fem.elements, format_length(run_, fem.size));
-      row.note += run.meshes
-                      ? fmt::format(", extrapolated with those of {}", format_length(run_, run.meshes->front().size))
-                      : "; one mesh: the mesh error is not known";
+      if (run.meshes && run.meshes->size() > 2)
+        row.note += fmt::format(", {} where the soil shears", format_length(run_, run.meshes->back().size));
+      row.note += run.meshes ? fmt::format(", extrapolated with those of {}",
+                                           format_length(run_, run.meshes->at(run.meshes->size() - 2).size))
+                             : "; one mesh: the mesh error is not known";
       if (run.earthquake) row.note += "; " + results::describe_side(*run.earthquake, results::stable_on_mesh);
       if (run.verdict == results::Verdict::too_low) row.note = "impossible: below the lower bound; " + row.note;
       if (run.verdict == results::Verdict::too_high) row.note = "above the upper bound; " + row.note;

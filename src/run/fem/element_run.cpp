@@ -21,10 +21,6 @@ namespace talus::run {
 
 namespace {
 
-/// Safety factor of the grid convergence index for two grids (Roache 1994): error of the fine mesh over the
-/// extrapolated difference. It covers the limit for orders of convergence of at least 0.42.
-constexpr double spread = 3;
-
 /// Displacements and strains of the fields are rounded to this many parts of one: micrometres and 1e-6.
 constexpr double field_digits = 1e6;
 
@@ -68,7 +64,7 @@ std::optional<results::ElementInterval> find_mesh_interval(const results::Elemen
   if (!coarse.flowing || !fine.flowing) return std::nullopt;
   // The difference between the meshes is uncertain by the brackets of both searches, weighted as in the extrapolation.
   const double rest = find_rest(coarse.size, fine.size), difference = std::max(0.0, coarse.factor - fine.factor),
-               fall = rest * (*coarse.flowing - fine.stable + (spread - 1) * difference),
+               fall = rest * (*coarse.flowing - fine.stable + (mesh_safety - 1) * difference),
                rise = rest * (*fine.flowing - coarse.stable);
   // No factor is negative.
   return results::ElementInterval{std::max(0.0, fine.stable - std::max(fall, least.below * fine.factor)),
@@ -126,12 +122,6 @@ template results::ElementFields make_fields_result<3>(const fem::QuadraticMesh<3
 
 namespace {
 
-/// Element size of the coarser of two meshes over that of [fem]; the coarser one takes a sixth of the time.
-constexpr double coarse_ratio = 2;
-/// Meshes with a smaller ratio of mean sizes count as one mesh, because the section is too small for elements of twice
-/// the size [-].
-constexpr double least_ratio = 1.25;
-
 constexpr const char* element_file = "fem.json";
 
 std::vector<results::Flow> list_flows(input::FlowRule rule) {
@@ -154,16 +144,12 @@ std::optional<results::Davis> find_davis(input::DavisRule rule) {
   return std::nullopt;
 }
 
-fem::ReductionOptions make_options(const input::FiniteElements& settings, int threads) {
-  fem::ReductionOptions options;
-  options.from = settings.from;
-  options.to = settings.to;
-  options.resolution = settings.resolution;
-  options.solid = make_solid_options(settings, threads);
-  return options;
+bool has_run(const results::ElementResult& result, results::Flow flow) {
+  return std::any_of(result.runs.begin(), result.runs.end(), [&](const auto& run) { return run.flow == flow; });
 }
 
-/// Returns true if a soil of the case has ψ < φ.
+}  // namespace
+
 bool has_less_dilatancy(const input::Case& data) {
   return std::any_of(data.regions.begin(), data.regions.end(), [&](const auto& region) {
     const input::Material m = find_trial_soil(data, data.materials.at(region.second));
@@ -172,11 +158,14 @@ bool has_less_dilatancy(const input::Case& data) {
   });
 }
 
-bool has_run(const results::ElementResult& result, results::Flow flow) {
-  return std::any_of(result.runs.begin(), result.runs.end(), [&](const auto& run) { return run.flow == flow; });
+fem::ReductionOptions make_options(const input::FiniteElements& settings, int threads) {
+  fem::ReductionOptions options;
+  options.from = settings.from;
+  options.to = settings.to;
+  options.resolution = settings.resolution;
+  options.solid = make_solid_options(settings, threads);
+  return options;
 }
-
-}  // namespace
 
 template <int D>
 ElementRun<D>::ElementRun(const site::Site& site, bool alone, const RunOptions& options, std::string input_hash)
@@ -195,9 +184,12 @@ template <int D>
 void ElementRun<D>::prepare() {
   attempt_part([&] {
     show("mesh");
-    model_ = make_model(1);
+    const char* obstacle = data().fem.adapt ? find_obstacle() : nullptr;
+    adapts_ = data().fem.adapt && obstacle == nullptr;
+    model_ = make_model(adapts_ ? coarse_ratio : 1);
     water_ = std::move(model_->solid.water);
     begin();
+    if (obstacle != nullptr) file_.summary.warnings.push_back(fmt::format("the mesh is not adapted: {}", obstacle));
     if (data().fem.meshes > 1 && !data().mesh.file.empty())
       file_.summary.warnings.push_back(
           "the mesh is a ready file, which cannot be coarsened: the factor is that of one mesh and not extrapolated");
@@ -207,7 +199,11 @@ void ElementRun<D>::prepare() {
 
 template <int D>
 auto ElementRun<D>::make_model(double share) const -> std::unique_ptr<Model> {
-  SolidOfCase<D> solid = make_solid<D>(site_, share);
+  return make_model_on(make_solid<D>(site_, share));
+}
+
+template <int D>
+auto ElementRun<D>::make_model_on(SolidOfCase<D> solid) const -> std::unique_ptr<Model> {
   if (!known_springs_.empty()) {
     solid.model.known_springs = known_springs_;
     for (fem::Bar& bar : solid.model.bars) bar.prestress = 0;
@@ -226,15 +222,20 @@ void ElementRun<D>::begin() {
     return;
   }
   file_.input_hash = hash_;
-  file_.mesh = make_mesh_result<D>(model_->mesh);
+  describe_mesh();
   results::ElementResult& result = file_.summary;
-  result.elements = model_->mesh.elements.size();
-  result.nodes = model_->mesh.nodes.size();
-  result.size = mesh::measure_quality(*model_->solid.mesh).mean_size;
   result.element = D == 2 ? "T6" : "T10";
   result.warnings = model_->solid.notes;
   result.fields_file = element_file;
   result.seepage = water_.seepage;
+}
+
+template <int D>
+void ElementRun<D>::describe_mesh() {
+  file_.mesh = make_mesh_result<D>(model_->mesh);
+  file_.summary.elements = model_->mesh.elements.size();
+  file_.summary.nodes = model_->mesh.nodes.size();
+  file_.summary.size = mesh::measure_quality(*model_->solid.mesh).mean_size;
 }
 
 template <int D>
@@ -269,11 +270,17 @@ void ElementRun<D>::keep_present(const Model& model, const fem::ReductionTrial& 
 
 template <int D>
 fem::ReductionResult<D> ElementRun<D>::search(const Model& model, const std::string& words) {
+  return search(model, words, make_options(data().fem, options_.threads));
+}
+
+template <int D>
+fem::ReductionResult<D> ElementRun<D>::search(const Model& model, const std::string& words,
+                                              const fem::ReductionOptions& options) {
   show(fmt::format("{}, equilibrium at full strength", words));
   std::optional<double> lower, upper;
   present_ = {};
   if (options_.keeps_present) present_.title = words, present_.mesh = make_mesh_result<D>(model.mesh);
-  return fem::reduce_strength<D>(model.solid.model, make_options(data().fem, options_.threads),
+  return fem::reduce_strength<D>(model.solid.model, options,
                                  [&](const fem::ReductionTrial& t, const fem::SolidState<D>& state) {
                                    if (t.converged)
                                      lower = std::max(lower.value_or(t.factor), t.factor);
@@ -298,7 +305,7 @@ LeastMeshError ElementRun<D>::find_least_error(const fem::ReductionResult<D>& fo
   LeastMeshError least;
   if (run.flow != results::Flow::associated && !run.davis && has_less_dilatancy(data())) least.above = known_scatter;
   if constexpr (D == 2) {
-    const auto thin = list_thin_layers(*model_->solid.mesh, model_->mesh, found.mechanism);
+    const auto thin = list_thin_layers(*model_->solid.mesh, model_->mesh, found.mechanism, adapts_);
     if (thin.empty()) return least;
     least.below = thin_layer_error;
     run.warnings.push_back(
@@ -366,7 +373,7 @@ results::EarthquakeSide ElementRun<D>::compare_directions(results::Flow flow, co
     site_ = site::Site(pointed);
   };
   point(!pushes_left);
-  std::unique_ptr<Model> other = make_model(1);
+  std::unique_ptr<Model> other = make_model(adapts_ ? coarse_ratio : 1);
   set_trial_laws<D>(site_, other->solid, flow == results::Flow::associated);
   const fem::ReductionOptions options = make_options(data().fem, options_.threads);
   show(fmt::format("{}, earthquake towards the other side", words));
@@ -397,9 +404,10 @@ void ElementRun<D>::reduce(results::Flow flow) {
   if (tries_both_directions_) run.earthquake = compare_directions(flow, words, found);
   run.psi = find_dilatancy(data(), associated);
   run.factor = found.factor;
+  if (found.by_displacement > 0) run.by_displacement = found.by_displacement;
+  if (adapts_) adapt(words, found, run);
   run.stable = found.stable;
   run.failed = found.failed;
-  if (found.by_displacement > 0) run.by_displacement = found.by_displacement;
   run.seconds = found.seconds;
   for (const fem::ReductionTrial& t : found.trials) run.trials.push_back(make_trial_result(t));
   if constexpr (D == 2) {
@@ -424,7 +432,7 @@ void ElementRun<D>::reduce(results::Flow flow) {
   add_softening_warning(*model_, found, run);
   if (found.stable < 1)
     run.warnings.push_back("the slope does not stand with its full strength: the factor is below 1");
-  if (has_two_meshes()) {
+  if (!adapts_ && has_two_meshes()) {
     try {
       extrapolate(words, found, run);
     } catch (const Error& error) {  // the factor on the mesh of the [fem] size remains

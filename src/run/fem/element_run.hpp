@@ -30,6 +30,14 @@ results::ElementTrial make_trial_result(const fem::ReductionTrial& trial);
 template <int D>
 results::ElementMeshFactor make_mesh_factor_result(const fem::ReductionResult<D>& found, double size);
 
+/// Safety factor of the grid convergence index for two grids (Roache 1994): error of the fine mesh over the
+/// extrapolated difference. It covers the limit for orders of convergence of at least 0.42.
+inline constexpr double mesh_safety = 3;
+/// Element size of the coarser of two meshes over that of [fem]; the coarser one takes a sixth of the time.
+inline constexpr double coarse_ratio = 2;
+/// Meshes with a smaller ratio of mean sizes count as one mesh, because the section is too small for elements of twice
+/// the size [-].
+inline constexpr double least_ratio = 1.25;
 /// Scatter of the factor between meshes of practically equal size [-].
 inline constexpr double known_scatter = 0.006;
 
@@ -52,6 +60,11 @@ results::ElementMesh make_mesh_result(const fem::QuadraticMesh<D>& mesh);
 template <int D>
 results::ElementFields make_fields_result(const fem::QuadraticMesh<D>& mesh, const fem::SolidState<D>& state,
                                           results::Flow flow);
+
+/// Returns true if a soil of the case has ψ < φ.
+bool has_less_dilatancy(const input::Case& data);
+
+fem::ReductionOptions make_options(const input::FiniteElements& settings, int threads);
 
 template <int D>
 class ElementRun : public MethodRun<results::ElementFile> {
@@ -86,6 +99,16 @@ class ElementRun : public MethodRun<results::ElementFile> {
   results::EarthquakeSide compare_directions(results::Flow flow, const std::string& words,
                                              fem::ReductionResult<D>& found);
   fem::ReductionResult<D> search(const Model& model, const std::string& words);
+  fem::ReductionResult<D> search(const Model& model, const std::string& words, const fem::ReductionOptions& options);
+  /// Returns the model on another mesh, with the supports of start_supports().
+  std::unique_ptr<Model> make_model_on(SolidOfCase<D> solid) const;
+  /// Refines the mesh where the soil shears and searches again until the interval is narrow or the mesh is as large as
+  /// permitted. `model_` and `found` become those of the finest mesh.
+  void adapt(const std::string& words, fem::ReductionResult<D>& found, results::ElementRun& run);
+  /// Returns why the mesh of the case is not adapted; nullptr if it is.
+  const char* find_obstacle() const;
+  /// Describes the mesh of `model_` in the result.
+  void describe_mesh();
   /// Adds a trial to `present_` and stores it with the state of the trial.
   void keep_present(const Model& model, const fem::ReductionTrial& trial, const fem::SolidState<D>& state);
   /// Returns false if the factor has no limit for elements of size zero too.
@@ -105,6 +128,7 @@ class ElementRun : public MethodRun<results::ElementFile> {
   site::Site site_;  ///< with one direction of an earthquake once that is decided
   bool tries_both_directions_;
   std::unique_ptr<Model> model_;
+  bool adapts_ = false;   ///< [fem] adapt, and nothing prevents it
   bool is_told_ = false;  ///< the file has results
   std::vector<fem::KnownSpring> known_springs_;
   results::PresentReduction present_;

@@ -314,11 +314,12 @@ struct Layer {
   int elements = 0;
   double area = 0;       ///< [m²]
   double perimeter = 0;  ///< [m]
-  double altitudes = 0;  ///< sum over the elements [m]
+  double altitudes = 0;  ///< sum over `counted` [m]
+  int counted = 0;       ///< elements of which the altitudes count
   double strain = 0;
 
   /// Rows of elements over the thickness, which for a long layer is twice the area over the perimeter.
-  double count_rows() const { return perimeter > 0 ? 2 * area / perimeter / (altitudes / elements) : 0; }
+  double count_rows() const { return perimeter > 0 && counted > 0 ? 2 * area / perimeter / (altitudes / counted) : 0; }
 };
 
 /// Length of the sides of element `e` at another region or at the boundary [m].
@@ -356,9 +357,10 @@ double compute_band_strain(std::vector<double> strains) {
 }
 
 std::vector<std::string> list_thin_layers(const mesh::Mesh<2>& mesh, const fem::QuadraticMesh<2>& quadratic,
-                                          const fem::SolidState<2>& motion) {
+                                          const fem::SolidState<2>& motion, bool is_adapted) {
   const std::vector<double> strains = compute_element_strains<2>(quadratic, motion);
   if (strains.empty()) return {};
+  const double band = compute_band_strain(strains);
   std::vector<Layer> layers(mesh.region_names.size());
   for (std::size_t i = 0; i < strains.size(); ++i) {
     const int e = quadratic.linear_element[i];
@@ -366,10 +368,9 @@ std::vector<std::string> list_thin_layers(const mesh::Mesh<2>& mesh, const fem::
     ++layer.elements;
     layer.area += mesh.volumes[e];
     layer.perimeter += find_outline(mesh, e);
-    layer.altitudes += mesh.altitudes[e];
+    if (!is_adapted || strains[i] >= band) layer.altitudes += mesh.altitudes[e], ++layer.counted;
     layer.strain = std::max(layer.strain, strains[i]);
   }
-  const double band = compute_band_strain(strains);
   std::vector<std::string> thin;
   for (std::size_t r = 0; r < layers.size(); ++r)
     if (layers[r].elements > 0 && layers[r].strain >= band && layers[r].count_rows() < fewest_element_rows)

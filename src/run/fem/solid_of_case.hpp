@@ -69,8 +69,9 @@ inline constexpr double fewest_element_rows = 4;
 inline constexpr double thin_layer_error = 0.05;
 
 /// Lists the regions of the section with fewer rows that are part of the mechanism: the strain of one of their
-/// elements is at least γ_c of (T19.11). `motion`: ReductionResult::mechanism.
+/// elements is at least γ_c of (T19.11). `motion`: ReductionResult::mechanism. `is_adapted`: the rows are those of
+/// elements of the mechanism, as others are larger.
 std::vector<std::string> list_thin_layers(const mesh::Mesh<2>& mesh, const fem::QuadraticMesh<2>& quadratic,
-                                          const fem::SolidState<2>& motion);
+                                          const fem::SolidState<2>& motion, bool is_adapted = false);
 
 }  // namespace talus::run
