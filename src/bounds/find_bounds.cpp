@@ -320,7 +320,10 @@ class BoundsSearch {
     }
   }
 
-  Trial prove_solved(const Problem& problem, Bound bound, double factor) {
+  Trial prove_solved(const Problem& given, Bound bound, double factor) {
+    const std::optional<Problem> held =
+        bound == Bound::upper ? hold_narrow_corners(given, factor, units_) : std::nullopt;
+    const Problem& problem = held ? *held : given;
     // The tolerance of the lack refers to the unit of stress and not to the lack itself, which is near zero.
     ConicOptions options;
     options.tolerance = 1e-5, options.value_size = 1;
@@ -337,7 +340,7 @@ class BoundsSearch {
     trial.lack = use_room(program, room, trial.solution);
     trial.doubt = std::abs(trial.solution.primal - trial.solution.dual);
     trial.rate = find_lack_rate(problem, program, bound, factor, units_, trial.solution);
-    prove(problem, bound, trial);
+    prove(given, problem, bound, trial);
     return trial;
   }
 
@@ -409,8 +412,8 @@ class BoundsSearch {
   }
 
   /// Records the factor that the check of the field proves, if it narrows the interval. The bounds of coarser meshes
-  /// remain valid.
-  void prove(const Problem& problem, Bound bound, const Trial& trial) {
+  /// remain valid. `solved`: the problem of the program, in which some soil may be at rest.
+  void prove(const Problem& problem, const Problem& solved, Bound bound, const Trial& trial) {
     if (bound == Bound::lower) {
       StressField field = read_stress(problem, make_program(problem, bound, trial.factor, units_), trial.factor,
                                       trial.solution, units_);
@@ -419,7 +422,7 @@ class BoundsSearch {
       result_.lower = found.factor, result_.static_check = found, result_.stress = std::move(field);
       result_.stress_problem = problem;
     } else {
-      VelocityField field = read_velocity(problem, (1 + flow_room) * trial.factor, trial.solution, opening_);
+      VelocityField field = read_velocity(solved, (1 + flow_room) * trial.factor, trial.solution, opening_);
       const KinematicCheck found = check(problem, field);
       if (!found.holds || found.factor >= result_.upper) return;
       result_.upper = found.factor, result_.kinematic_check = found, result_.velocity = std::move(field);

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
+#include <set>
 
 #include "bounds/conic/solve.hpp"
 #include "bounds/problem.hpp"
@@ -140,6 +142,79 @@ Velocities number_velocities(const Problem& problem, const Units& units) {
   }
   number_walls(problem, units, v);
   return v;
+}
+
+// Corners between fixed edges.
+
+namespace {
+
+/// Makes a triangle rigid, with its number of cones.
+void make_rigid(std::array<Strength, 3>& corners, double strength) {
+  for (Strength& soil : corners) {
+    soil.cohesion = strength;
+    if (soil.tension) soil.tension = strength;
+    if (!soil.planes) continue;
+    WeakPlanes planes = *soil.planes;
+    planes.cohesion = strength;
+    soil.planes = std::make_shared<const WeakPlanes>(planes);
+  }
+}
+
+/// Angle of the soil that can move between fixed edges around a node, with its largest tan φ.
+struct FixedCorner {
+  double angle = 0, tan_friction = 0;
+  int fixed_edges = 0;
+};
+
+/// Returns the corners of the moving soil: `rests` marks the triangles at rest, whose edges are fixed.
+std::vector<FixedCorner> list_fixed_corners(const Problem& problem, const std::vector<bool>& rests) {
+  std::set<EdgeKey> fixed;
+  for (const Side& side : problem.sides)
+    if (side.holds_normal && side.holds_along) fixed.insert(make_key(side.from, side.to));
+  std::vector<FixedCorner> corners(problem.nodes.size());
+  for (std::size_t e = 0; e < problem.size(); ++e)
+    for (std::size_t i = 0; rests[e] && i < 3; ++i)
+      fixed.insert(make_key(problem.triangles[e][i], problem.triangles[e][(i + 1) % 3]));
+  for (std::size_t e = 0; e < problem.size(); ++e) {
+    if (rests[e]) continue;
+    const Shape shape = find_shape(problem, e);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec<2>&a = shape.gradient[(i + 1) % 3], &b = shape.gradient[(i + 2) % 3];
+      FixedCorner& corner = corners[static_cast<std::size_t>(problem.triangles[e][i])];
+      // The gradients are normals of the edges, turned inwards.
+      corner.angle += std::numbers::pi - std::acos(std::clamp(dot(a, b) / (norm(a) * norm(b)), -1.0, 1.0));
+      corner.tan_friction = std::max(corner.tan_friction, problem.strength[e][i].find_least_friction());
+      for (const std::size_t k : {i, (i + 2) % 3})
+        if (fixed.contains(make_key(problem.triangles[e][k], problem.triangles[e][(k + 1) % 3]))) ++corner.fixed_edges;
+    }
+  }
+  return corners;
+}
+
+}  // namespace
+
+std::optional<Problem> hold_narrow_corners(const Problem& problem, double factor, const Units& units) {
+  constexpr double room = 0.01;   ///< [rad], for a margin of the flow rule
+  constexpr int most_rounds = 4;  ///< each round makes the angles of the moving soil wider
+  std::vector<bool> rests(problem.size(), false);
+  std::optional<Problem> held;
+  for (int round = 0; round < most_rounds; ++round) {
+    const std::vector<FixedCorner> corners = list_fixed_corners(problem, rests);
+    bool grows = false;
+    for (std::size_t e = 0; e < problem.size(); ++e) {
+      if (rests[e]) continue;
+      const bool is_narrow = std::any_of(problem.triangles[e].begin(), problem.triangles[e].end(), [&](int node) {
+        const FixedCorner& corner = corners[static_cast<std::size_t>(node)];
+        return corner.fixed_edges == 2 && corner.angle < 2 * std::atan(corner.tan_friction / factor) + room;
+      });
+      if (!is_narrow) continue;
+      if (!held) held = problem;
+      make_rigid(held->strength[e], 2 * rigid_strength * units.stress);
+      rests[e] = grows = true;
+    }
+    if (!grows) break;
+  }
+  return held;
 }
 
 // Opening fields: the lifting field, and the program of the largest margin.
@@ -311,7 +386,9 @@ SparseRows list_openings(const Problem& problem, const Velocities& mesh, double 
 
 const std::vector<double>* OpeningSearch::find(const Problem& problem, const Velocities& mesh, double factor,
                                                double length) {
-  if (found_ && opens_everywhere(problem, mesh, factor, length, *found_)) return &*found_;
+  if (found_ && found_->size() == static_cast<std::size_t>(mesh.count) &&
+      opens_everywhere(problem, mesh, factor, length, *found_))
+    return &*found_;
   found_ = lift(problem, mesh, length);
   if (opens_everywhere(problem, mesh, factor, length, *found_)) return &*found_;
   found_ = open_most(problem, mesh, factor, length);

@@ -55,6 +55,11 @@ struct Velocities {
 /// without rotation, and one that is fixed otherwise does not move.
 Velocities number_velocities(const Problem& problem, const Units& units);
 
+/// Returns the problem with rigid triangles where fixed edges meet at less than 2 φ_F: a velocity that vanishes on both
+/// cannot dilate between them as the flow rule requires, so that the soil is at rest there, and a mechanism with it at
+/// rest proves an upper bound of the given problem. Nothing is returned where there is no such corner.
+std::optional<Problem> hold_narrow_corners(const Problem& problem, double factor, const Units& units);
+
 // Fields that open the soil. A small multiple of one restores the flow rule where rounding violates it.
 
 /// Returns the strain rates of the corners, three of each triangle, for the velocities `numbers`.

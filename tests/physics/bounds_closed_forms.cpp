@@ -85,21 +85,8 @@ TEST(Bounds, Trapdoor) {
 TEST(Bounds, VerticalCut) {
   const Problem p = [] {
     // Height 1, of which the left part is dug away: the floor is level with the toe.
-    Problem whole = make_columns(divide(0, {{1, 4}, {2.5, 6}}), 8, -1, [](double) { return 1.0; });
-    Problem cut;
-    cut.nodes = whole.nodes;
-    for (const Triangle& t : whole.triangles) {
-      double x = 0, y = 0;
-      for (const int n : t)
-        x += whole.nodes[static_cast<std::size_t>(n)][0] / 3, y += whole.nodes[static_cast<std::size_t>(n)][1] / 3;
-      if (x > 1 || y < 0) cut.triangles.push_back(t);
-    }
-    for (const Side& s : whole.sides) {
-      const double y =
-          0.5 * (whole.nodes[static_cast<std::size_t>(s.from)][1] + whole.nodes[static_cast<std::size_t>(s.to)][1]);
-      const double x = whole.nodes[static_cast<std::size_t>(s.from)][0];
-      if (x > 0 || y < 0) cut.sides.push_back(s);
-    }
+    Problem cut = keep_part(make_columns(divide(0, {{1, 4}, {2.5, 6}}), 8, -1, [](double) { return 1.0; }),
+                            [](const Vec<2>& x) { return x[0] > 1 || x[1] < 0; });
     fill(cut, 1, 0, 3.7764);
     return cut;
   }();
@@ -129,6 +116,28 @@ TEST(Bounds, SlopeWithoutCohesion) {
   EXPECT_GE(found.lower, 0.99 * exact);
   EXPECT_GE(found.upper, exact);
   EXPECT_LE(found.upper, 1.08 * exact);
+}
+
+/// A face steeper than 45° needs φ_F = β there, with which no velocity can dilate in the corners between the fixed base
+/// and the fixed ends: soil is at rest in them, and the face slides at F = tan φ / tan β, as between smooth ends.
+TEST(Bounds, SteepSlopeBetweenFixedEnds) {
+  constexpr double steep = 1.25;
+  Problem p = make_columns(divide(0, {{4, 2}, {8, 4}, {14, 3}}), 4, 0, [](double x) {
+    return x <= 4 ? 10.0 : x >= 8 ? 5.0 : 10 - steep * (x - 4);
+  });
+  fill(p, 0, 30, 18000);
+  const double exact = std::tan(pi / 6) / steep;
+  const BoundsResult smooth = find_bounds(p, until(0.03, 1));
+  for (Side& s : p.sides) s.holds_along = true;
+  const BoundsResult found = find_bounds(p, until(0.03, 1));
+  EXPECT_LE(found.lower, exact * (1 + 1e-4));  // with the cohesion of a millionth
+  EXPECT_GE(found.lower, 0.97 * exact);
+  EXPECT_GE(found.upper, exact);
+  EXPECT_LE(found.upper, 1.01 * smooth.upper);
+  // Wider than 2 φ_F they do not hold the soil.
+  const Units units = find_units(p);
+  EXPECT_FALSE(hold_narrow_corners(p, 1, units));
+  EXPECT_TRUE(hold_narrow_corners(p, exact, units));
 }
 
 /// Soil that bears no tension carries less.

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "bounds/problem.hpp"
 
@@ -31,6 +32,22 @@ Problem make_columns(const std::vector<double>& x, int rows, double base, const 
     p.sides.push_back({j * n + n - 1, (j + 1) * n + n - 1, true, false, {}});
   }
   return p;
+}
+
+Problem keep_part(const Problem& whole, const std::function<bool(const Vec<2>&)>& is_kept) {
+  Problem part;
+  part.nodes = whole.nodes;
+  for (const Triangle& t : whole.triangles) {
+    Vec<2> centre{0, 0};
+    for (const int n : t)
+      for (std::size_t d = 0; d < 2; ++d) centre[d] += whole.nodes[static_cast<std::size_t>(n)][d] / 3;
+    if (is_kept(centre)) part.triangles.push_back(t);
+  }
+  std::set<EdgeKey> edges;
+  for (const Edge& edge : list_edges(part.triangles)) edges.insert(make_key(edge.from, edge.to));
+  for (const Side& s : whole.sides)
+    if (edges.contains(make_key(s.from, s.to))) part.sides.push_back(s);
+  return part;
 }
 
 void fill(Problem& problem, double cohesion, double friction_degrees, double unit_weight) {

@@ -12,6 +12,9 @@ namespace talus::bounds {
 /// ends are smooth.
 Problem make_columns(const std::vector<double>& x, int rows, double base, const std::function<double(double)>& ground);
 
+/// The triangles whose centre is kept, with their sides.
+Problem keep_part(const Problem& whole, const std::function<bool(const Vec<2>&)>& is_kept);
+
 /// One soil, and the body force with the weight downwards [N/m³].
 void fill(Problem& problem, double cohesion, double friction_degrees, double unit_weight);
 
