@@ -205,6 +205,25 @@ TEST(BoundsOfCase, TrianglesEndWhereStrengthJumps) {
              find_depth);
 }
 
+/// Still water above all of the ground takes its weight from the soil and changes nothing else: a submerged slope has
+/// the interval of the dry one with the buoyant unit weight, where its strength bends too.
+TEST(BoundsOfCase, OfASubmergedSlopeAreThoseOfTheBuoyantWeight) {
+  const auto write = [](const std::string& weight, const std::string& water) {
+    return write_jump(
+        "size = 2\n[materials.soil]\nmodel = \"mohr_coulomb\"\n" + weight +
+        "cohesion = 4\ncohesion_gradient = 1.5\ncohesion_level = 7.3\nfriction_angle = 20\ndilatancy_angle = 20\n"
+        "tensile_strength = 3\nyoung_modulus = \"50 MPa\"\npoisson_ratio = 0.3\n" +
+        water);
+  };
+  const ProvenInterval dry = prove(write("unit_weight = 10.19\n", ""), 300, 0.1),
+                       wet = prove(write("unit_weight = 19\nsaturated_unit_weight = 20\n",
+                                         "[initial]\npore_pressure = \"water_table\"\n"
+                                         "water_table = [[0, 14], [30, 14]]\n"),
+                                   300, 0.1);
+  EXPECT_NEAR(wet.lower, dry.lower, 1e-7 * dry.lower);
+  EXPECT_NEAR(wet.upper, dry.upper, 1e-7 * dry.upper);
+}
+
 TEST(BoundsOfCase, OfUniformDrySoilNeedNoSecondProblem) {
   const std::string dry = wet_slope.substr(0, wet_slope.find("[initial]")) + methods_and_bounds;
   const auto made = run::make_bounds_problem(support::read_site(dry), run::Supports::below_soil);
