@@ -224,6 +224,25 @@ TEST(BoundsOfCase, OfASubmergedSlopeAreThoseOfTheBuoyantWeight) {
   EXPECT_NEAR(wet.upper, dry.upper, 1e-7 * dry.upper);
 }
 
+/// 'bottom' is the lowest level of the section, on which an inclined base does not lie.
+TEST(BoundsOfCase, NameABaseThatNothingFixes) {
+  const auto write = [](const std::string& base, const std::string& more) {
+    return "[geometry]\npolygon = [{ name = \"soil\", points = [" + base +
+           ", [30, 10], [18, 10], [10, 6], [0, 6]] }]\n"
+           "line = [{ name = \"base\", points = [" +
+           base + "] }]\n[regions]\nsoil = \"soil\"\n" + methods_and_bounds +
+           "[materials.soil]\nmodel = \"tresca\"\nunit_weight = 18\nundrained_strength = 30\n" + more;
+  };
+  const auto list_notes = [](const std::string& text) {
+    return run::make_bounds_problem(support::read_site(text)).notes;
+  };
+  ASSERT_EQ(list_notes(write("[0, -1], [30, 2]", "")).size(), 1u);
+  EXPECT_NE(list_notes(write("[0, -1], [30, 2]", "")).front().find("no [[boundary]] fixes the base"),
+            std::string::npos);
+  EXPECT_TRUE(list_notes(write("[0, -1], [30, 2]", "[[boundary]]\non = \"base\"\nfix = \"full\"\n")).empty());
+  EXPECT_TRUE(list_notes(write("[0, 0], [30, 0]", "")).empty());
+}
+
 TEST(BoundsOfCase, OfUniformDrySoilNeedNoSecondProblem) {
   const std::string dry = wet_slope.substr(0, wet_slope.find("[initial]")) + methods_and_bounds;
   const auto made = run::make_bounds_problem(support::read_site(dry), run::Supports::below_soil);

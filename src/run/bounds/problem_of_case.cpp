@@ -128,6 +128,7 @@ class ProblemBuilder {
       for (const auto& named : site::find_sides(mesh_, b.on))
         if (const auto side = border.find(find_key(named)); side != border.end()) hold(b, side->second);
     }
+    note_free_base(border);
     std::map<bounds::EdgeKey, bounds::Side> named = border;  // tractions on named sides
     for (const auto& load : site::make_surface_loads<2>(site_, mesh_)) {
       const bool is_named = std::any_of(data_.tractions.begin(), data_.tractions.end(),
@@ -140,6 +141,21 @@ class ProblemBuilder {
       for (std::size_t k = 0; k < 2; ++k)
         for (std::size_t d = 0; d < 2; ++d) side.traction[k][d] += named.at(key).traction[k][d];
     for (const auto& [key, side] : border) p.sides.push_back(side);
+  }
+
+  /// Without a fixed side that faces downwards no stress field carries the weight, and none is in equilibrium.
+  void note_free_base(const std::map<bounds::EdgeKey, bounds::Side>& border) {
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const auto& [key, side] : border) {
+      const auto &from = made_.problem.nodes[static_cast<std::size_t>(side.from)],
+                 &to = made_.problem.nodes[static_cast<std::size_t>(side.to)];
+      if (side.holds_normal && to[0] - from[0] > vertical * std::hypot(to[0] - from[0], to[1] - from[1])) return;
+      lowest = std::min({lowest, from[1], to[1]});
+    }
+    made_.notes.push_back(
+        fmt::format("no [[boundary]] fixes the base of the soil: 'bottom' is the lowest level of the section, {}; give "
+                    "an inclined base as a [[geometry.line]] and fix that",
+                    format_value(lowest, data_.units().length)));
   }
 
   /// A wall on a fixed side would be held by it, and its beam not.
