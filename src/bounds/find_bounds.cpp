@@ -17,6 +17,7 @@
 #include "bounds/program_of.hpp"
 #include "bounds/refine.hpp"
 #include "bounds/support_rows.hpp"
+#include "bounds/uplift.hpp"
 
 namespace talus::bounds {
 
@@ -255,6 +256,7 @@ class BoundsSearch {
       evaluate();
     }
     mark_end();
+    name_uplift();
     refuse_contradiction();
     return std::move(result_);
   }
@@ -395,6 +397,17 @@ class BoundsSearch {
     if (!std::isfinite(result_.upper)) return;
     if (result_.stopped.empty()) result_.stopped = result_.no_upper;
     result_.no_upper.clear();
+  }
+
+  /// Names the place of the border that rules out every stress field, where there is one.
+  void name_uplift() {
+    if (result_.lower > 0) return;
+    const auto uplift = search_uplift(result_.problem);
+    if (!uplift) return;
+    result_.no_lower = fmt::format(
+        "no stress field exists at any factor: at ({:.4g}, {:.4g}) m the pore pressure and the load pull at the "
+        "surface with {:.3g} kPa, and its soil carries c / tan φ = {:.3g} kPa. Lower the pore pressure there",
+        uplift->place[0], uplift->place[1], 1e-3 * uplift->pull, 1e-3 * uplift->limit);
   }
 
   /// Withdraws both bounds if they contradict each other.

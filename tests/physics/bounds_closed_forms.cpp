@@ -12,6 +12,7 @@
 #include "bounds/find_bounds.hpp"
 #include "bounds/problem.hpp"
 #include "bounds/refine.hpp"
+#include "bounds/uplift.hpp"
 #include "bounds/velocities.hpp"
 #include "support/bounds_sections.hpp"
 
@@ -186,6 +187,35 @@ TEST(Bounds, SlopeWithPorePressures) {
   EXPECT_LE(found.lower, exact * (1 + 1e-4));
   EXPECT_GE(found.lower, 0.98 * exact);
   EXPECT_GE(found.upper, exact * (1 - 1e-6));
+}
+
+/// The total stress across a free surface is zero, so its effective stress is the pore pressure u as tension, which the
+/// criterion admits up to c / tan φ = 5 kPa / tan 28° = 9.404 kPa, whatever F divides both by.
+TEST(Bounds, NamesThePorePressureThatNoStressFieldCarries) {
+  const double apex = 5000 / std::tan(28 * pi / 180);
+  Problem p = make_slope(5000, 28, 18000);
+  const auto wet = [&](double pressure) {
+    for (auto& corners : p.pore_pressure) corners.fill(pressure);
+    return search_uplift(p);
+  };
+  EXPECT_FALSE(wet(0.99 * apex));
+  const auto found = wet(1.02 * apex);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->pull, 1.02 * apex, 1e-6);
+  EXPECT_NEAR(found->limit, apex, 1e-6);
+  const BoundsResult bounds = find_bounds(p, until(0.05, 100));
+  EXPECT_EQ(bounds.lower, 0);
+  EXPECT_NE(bounds.no_lower.find("c / tan φ = 9.4 kPa"), std::string::npos) << bounds.no_lower;
+  // A pond of 2 kPa on every free side leaves 1.02 of the apex less 2 kPa.
+  for (const Edge& edge : list_edges(p.triangles)) {
+    const auto is_edge = [&](const Side& s) { return make_key(s.from, s.to) == make_key(edge.from, edge.to); };
+    if (edge.other >= 0 || std::any_of(p.sides.begin(), p.sides.end(), is_edge)) continue;
+    const Vec<2>&a = p.nodes[static_cast<std::size_t>(edge.from)], &b = p.nodes[static_cast<std::size_t>(edge.to)];
+    const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
+    const Vec<2> load{-2000 * (b[1] - a[1]) / length, 2000 * (b[0] - a[0]) / length};
+    p.sides.push_back({edge.from, edge.to, false, false, {load, load}});
+  }
+  EXPECT_FALSE(search_uplift(p));
 }
 
 /// A quarter of a thick cylinder without friction yields at the pressure 2 c ln(b/a). With chords in place of arcs it
