@@ -8,7 +8,6 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include "base/parallel.hpp"
@@ -105,8 +104,12 @@ constexpr double proofs[] = {5e-5, 2e-4, 8e-4, 3.2e-3};
 constexpr double room_of_rates = 1e-8, flow_room = 2e-5;
 /// Largest angle of a triangle at a corner of the border [rad].
 constexpr double widest_fan = 0.2;
-/// Fraction of the gap in the triangles that are refined, and the smallest fraction of triangles that are refined.
-constexpr double refined_share = 0.8, fewest_refined = 0.2;
+/// The smallest fraction of triangles that are refined, that around a local mechanism, and the fraction up to which
+/// triangles are halved twice.
+constexpr double fewest_refined = 0.2, fewest_around = 0.01, few = 0.05;
+/// Root of the area of a triangle over the height of the section, below which it stays as it is: the fields are stored
+/// with places to a nanometre, and have to prove their bounds with these.
+constexpr double least_size = 2e-5;
 
 /// Returns the contribution of each triangle to the gap: the strain rates of the mechanism times the strength that the
 /// stress field leaves there. The product with exchanged roles is added, since the lower bound alone may have found the
@@ -172,24 +175,6 @@ void add_differences(const Problem& lower, const Problem& upper, const Units& un
     }
 }
 
-/// Marks the fewest triangles that contribute refined_share of the gap, but at least fewest_refined of all, and at most
-/// the fraction `most` of all.
-std::vector<bool> mark(const std::vector<double>& parts, double most) {
-  std::vector<std::size_t> order(parts.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return parts[a] > parts[b]; });
-  const double all = std::accumulate(parts.begin(), parts.end(), 0.0);
-  std::vector<bool> marked(parts.size(), false);
-  double sum = 0;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const double fraction = static_cast<double>(i) / static_cast<double>(order.size());
-    if ((sum > refined_share * all && fraction > fewest_refined) || fraction > most) break;
-    sum += parts[order[i]];
-    marked[order[i]] = true;
-  }
-  return marked;
-}
-
 class BoundsSearch {
  public:
   BoundsSearch(const SafeProblems& problems, const BoundsOptions& options, const BoundsReport& report)
@@ -244,15 +229,16 @@ class BoundsSearch {
       // The meshes are nested: what a coarser one has proven holds on a finer one too, whatever Newton's step.
       low = std::max(holding.root(), result_.lower), high = std::min(moving.root(), result_.upper);
       opening_.forget();
-      const Trial& moved = before ? *before : moving.last();
+      const std::optional<Trial> local = solve_local(holding.root(), moving.root());
+      const Trial& moved = local ? *local : before ? *before : moving.last();
       std::vector<double> parts = !upper_ || are_alike(problem, *upper_)
                                       ? find_contributions(problem, units_, lower_trial_.solution, moved.solution)
                                       : find_contributions(problem, *upper_, units_, lower_trial_, moved);
       if (upper_) add_differences(problem, *upper_, units_, moved.solution, parts);
       if (has_envelopes_) choose_lines(moved);
-      const std::vector<bool> marked = mark(parts, is_last ? 1 : limit_refined(holding.root(), moving.root()));
-      if (upper_) upper_ = refine(*upper_, marked);
-      result_.problem = refine(problem, marked);
+      leave_smallest(parts);
+      refine_marked(mark(parts, local ? fewest_around : fewest_refined,
+                         is_last ? 1 : limit_refined(holding.root(), moving.root())));
       evaluate();
     }
     mark_end();
@@ -264,6 +250,25 @@ class BoundsSearch {
  private:
   static std::size_t get_number(Bound bound) { return bound == Bound::lower ? 0 : 1; }
   const Problem& get_problem(Bound bound) const { return bound == Bound::upper && upper_ ? *upper_ : result_.problem; }
+
+  /// Takes the triangles that are as small as they may become out of the gap.
+  void leave_smallest(std::vector<double>& parts) const {
+    const double least = least_size * units_.length;
+    for (std::size_t e = 0; e < parts.size(); ++e)
+      if (find_shape(result_.problem, e).area < least * least) parts[e] = 0;
+  }
+
+  /// Halves the marked triangles, and few of them, as around a point, once more.
+  void refine_marked(std::vector<bool> marked) {
+    const auto count = static_cast<double>(std::count(marked.begin(), marked.end(), true));
+    const bool is_local = count < few * static_cast<double>(marked.size());
+    for (int rounds = is_local ? 2 : 1; rounds > 0; --rounds) {
+      if (upper_) upper_ = refine(*upper_, marked);
+      Problem finer = refine(result_.problem, marked);
+      if (rounds > 1) marked = mark_inside(result_.problem, marked, finer);
+      result_.problem = std::move(finer);
+    }
+  }
 
   void evaluate() {
     if (!evaluate_) return;
@@ -384,6 +389,19 @@ class BoundsSearch {
     }
   }
 
+  /// Returns the trial of the upper bound at the root of the lower one, where the lower bound has converged and the
+  /// upper one is far above it, as below the edge of a load, where a wedge of any size may fail: its mechanism is the
+  /// critical one at that factor. At the root of the upper bound another one is critical, which the mesh resolves.
+  std::optional<Trial> solve_local(double lower_root, double upper_root) {
+    constexpr double converged = 0.03;  ///< change on the last mesh and distance of the root, over the gap
+    const double before = std::exchange(lower_before_, result_.lower);
+    const double near = converged * (upper_root - result_.lower);
+    if (before == 0 || result_.lower - before > near || std::abs(lower_root - result_.lower) > near) return {};
+    Trial trial = solve_program(Bound::upper, lower_root);
+    if (trial.solution.end != ConicEnd::solved) return {};
+    return trial;
+  }
+
   /// Returns the largest fraction of triangles to refine. Near the gap asked for, few of them suffice.
   double limit_refined(double lower, double upper) const {
     constexpr double fewest = 0.1, per_excess = 0.5;
@@ -462,6 +480,7 @@ class BoundsSearch {
   std::array<std::pair<double, std::vector<double>>, 2> exceeded_;
   bool has_envelopes_ = false;
   std::array<bool, 2> is_proving_{};  ///< by bound: its trials are to prove it and leave the lines of the problem
+  double lower_before_ = 0;           ///< the lower bound on the mesh before
   bool is_flat_ = false;              ///< the lack of the lower bound is zero at all stable factors
   OpeningSearch opening_;             ///< of the current mesh
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "bounds/problem.hpp"
@@ -191,6 +192,43 @@ std::vector<int> find_corners(const Problem& problem) {
     add_ends(uses);
   }
   return corners;
+}
+
+std::vector<bool> mark(const std::vector<double>& parts, double fewest, double most) {
+  constexpr double refined = 0.8;  ///< fraction of the gap in the marked triangles
+  std::vector<std::size_t> order(parts.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return parts[a] > parts[b]; });
+  const double all = std::accumulate(parts.begin(), parts.end(), 0.0);
+  std::vector<bool> marked(parts.size(), false);
+  double sum = 0;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const double fraction = static_cast<double>(i) / static_cast<double>(order.size());
+    if ((sum > refined * all && fraction > fewest) || fraction > most) break;
+    sum += parts[order[i]];
+    marked[order[i]] = true;
+  }
+  return marked;
+}
+
+std::vector<bool> mark_inside(const Problem& before, const std::vector<bool>& marked, const Problem& finer) {
+  const auto is_inside = [&](std::size_t e, const Vec<2>& x) {
+    const Triangle& t = before.triangles[e];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec<2>&a = before.nodes[static_cast<std::size_t>(t[i])],
+            &b = before.nodes[static_cast<std::size_t>(t[(i + 1) % 3])];
+      if ((b[0] - a[0]) * (x[1] - a[1]) < (b[1] - a[1]) * (x[0] - a[0])) return false;
+    }
+    return true;
+  };
+  std::vector<bool> inside(finer.size(), false);
+  for (std::size_t e = 0; e < finer.size(); ++e) {
+    Vec<2> centre{};
+    for (const int n : finer.triangles[e])
+      for (std::size_t d = 0; d < 2; ++d) centre[d] += finer.nodes[static_cast<std::size_t>(n)][d] / 3;
+    for (std::size_t k = 0; k < before.size() && !inside[e]; ++k) inside[e] = marked[k] && is_inside(k, centre);
+  }
+  return inside;
 }
 
 }  // namespace talus::bounds

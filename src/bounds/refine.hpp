@@ -18,4 +18,11 @@ std::vector<int> find_corners(const Problem& problem);
 /// principal directions rotate around a point needs a fan.
 Problem fan_out(const Problem& problem, const std::vector<int>& nodes, double widest);
 
+/// Marks the fewest triangles with four fifths of the sum of `parts`, the contributions to the gap, but at least the
+/// fraction `fewest` of all, and at most the fraction `most`.
+std::vector<bool> mark(const std::vector<double>& parts, double fewest, double most);
+
+/// Marks the triangles of a refined problem whose centre lies in a marked triangle of the one before.
+std::vector<bool> mark_inside(const Problem& before, const std::vector<bool>& marked, const Problem& finer);
+
 }  // namespace talus::bounds

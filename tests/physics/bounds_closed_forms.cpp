@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include <algorithm>
+#include <utility>
 
 #include "bounds/conic/solve.hpp"
 #include "bounds/find_bounds.hpp"
@@ -63,6 +64,18 @@ TEST(Bounds, ReissnersStripBesideALoad) {
   press(p, 0, 1, 0, std::exp(pi * std::tan(phi)) * std::pow(std::tan(pi / 4 + phi / 2), 2));
   press(p, 1, 6, 0, 1);
   expect_holds(find_bounds(p, until(0.05, 1500)), 1, 0.05);
+}
+
+/// A load on heavy soil beside free ground: at its edge a wedge of any size may fail, and the smallest ones as without
+/// weight, q = N_c(φ_F) c/F. In `make test-all`.
+TEST(Bounds, LoadEdgeOnHeavySoil) {
+  constexpr double exact = 1.5, cohesion = 5;
+  const double tangent = std::tan(pi / 6) / exact, phi = std::atan(tangent),
+               q = std::exp(pi * tangent) * std::pow(std::tan(pi / 4 + phi / 2), 2);
+  Problem p = make_columns(divide(0, {{6, 6}, {12, 6}}), 4, -4, [](double) { return 0.0; });
+  fill(p, cohesion, 30, 18);
+  press(p, 6, 12, 0, (q - 1) / tangent * cohesion / exact);
+  expect_holds(find_bounds(p, until(0.03, 2500)), exact, 0.035);
 }
 
 /// A trapdoor of width B = 2 under a layer of height H = B without friction. Classical bounds of γ H/c are 2 ln(2H/B),
@@ -437,8 +450,14 @@ TEST(Bounds, RefinementKeepsTheSection) {
   for (int round = 0; round < 4; ++round) {
     std::vector<bool> marked(p.size(), false);
     for (std::size_t e = 0; e < p.size(); e += 7) marked[e] = true;
-    p = refine(p, marked);
+    const Problem before = std::exchange(p, refine(p, marked));
     EXPECT_NEAR(find_area(p), area, 1e-9 * area);
+    const auto find_marked_area = [](const Problem& q, const std::vector<bool>& of) {
+      double sum = 0;
+      for (std::size_t e = 0; e < q.size(); ++e) sum += of[e] ? find_shape(q, e).area : 0;
+      return sum;
+    };
+    EXPECT_NEAR(find_marked_area(p, mark_inside(before, marked, p)), find_marked_area(before, marked), 1e-9 * area);
     for (std::size_t e = 0; e < p.size(); ++e) EXPECT_GT(find_shape(p, e).area, 0);
     // Euler's number of a disk: nodes − edges + triangles = 1.
     std::vector<bool> used(p.nodes.size(), false);

@@ -177,9 +177,14 @@ class Assumptions {
         "finer mesh gives a slightly lower factor.");
     if (!run_.elements) return;
     const auto& runs = run_.elements->runs;
-    if (std::any_of(runs.begin(), runs.end(), [](const auto& run) { return run.interval.has_value(); }))
+    const auto is_adapted = [](const auto& run) { return run.interval && run.meshes && run.meshes->size() > 2; };
+    if (std::any_of(runs.begin(), runs.end(), is_adapted))
+      add("The factor by FEM is extrapolated to element size zero from meshes that are refined where the soil shears. "
+          "Its interval holds the error of the mesh for the order of convergence that they show, and the brackets of "
+          "the search.");
+    else if (std::any_of(runs.begin(), runs.end(), [](const auto& run) { return run.interval.has_value(); }))
       add("The factor by FEM is extrapolated from two meshes to element size zero. Its interval holds the "
-          "error of the mesh for orders of convergence of 0.6 and more, and the brackets of the search.");
+          "error of the mesh for orders of convergence of 0.42 and more, and the brackets of the search.");
     else if (!runs.empty())
       add("The factor by FEM is that of one mesh, and the mesh error is not known.");
     if (data_.fem.softening == input::FemSoftening::progressive && !runs.empty())

@@ -17,9 +17,9 @@ namespace talus::run {
 
 namespace {
 
-/// Stored values are rounded to this many parts of a metre, a pascal, and one. Velocities have more digits: those of
-/// small triangles differ little, and the strain rates of the stored mechanism are to prove the bound too.
-constexpr double place_digits = 1e6, stress_digits = 10, share_digits = 1e6, velocity_digits = 1e9;
+/// Stored values are rounded to this many parts of a metre, a pascal, and one. Places and velocities have more digits:
+/// those of small triangles differ little, and the strain rates of the stored mechanism are to prove the bound too.
+constexpr double place_digits = 1e9, stress_digits = 10, share_digits = 1e6, velocity_digits = 1e9;
 
 results::Point round_place(const Vec<2>& x) {
   return {round_to(x[0], place_digits), round_to(x[1], place_digits)};
