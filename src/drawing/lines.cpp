@@ -8,6 +8,7 @@
 #include <boost/geometry/geometries/linestring.hpp>
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 
@@ -218,6 +219,15 @@ void sort_down(std::vector<Chain>& lines) {
     std::rotate(lines.begin() + static_cast<std::ptrdiff_t>(i), lines.begin() + static_cast<std::ptrdiff_t>(top),
                 lines.begin() + static_cast<std::ptrdiff_t>(top) + 1);
   }
+}
+
+void check_base(double base, const std::vector<mesh::Polyline>& lines) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const mesh::Polyline& line : lines)
+    for (const mesh::Point2& x : line) lowest = std::min(lowest, x[1]);
+  if (!(base < lowest))
+    fail_input("--base is {:.6g} m, and the lowest line of the survey lies at y = {:.6g} m: the base is below it", base,
+               lowest);
 }
 
 }  // namespace talus::drawing

@@ -24,6 +24,9 @@ inline constexpr std::size_t most_corners = 2000;
 /// Distance below which lines of a drawing meet, and the largest by which a line moves, as fractions of its extent.
 inline constexpr double meeting_distance = 1e-5, largest_move = 1e-3;
 
+/// Throws Error (wrong_input) unless the base [m] lies below all of these lines.
+void check_base(double base, const std::vector<mesh::Polyline>& lines);
+
 /// Returns true for finite coordinates below 1e9 m.
 bool is_a_place(const mesh::Point2& p);
 

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <filesystem>
 #include <functional>
-#include <limits>
 #include <map>
 #include <set>
 
@@ -357,23 +356,11 @@ class SurveyReader {
       remark(fmt::format("{} is the lower boundary of '{}'", line.handle, section_.layers.back().name));
     }
     if (!options_.base || !drilled_.empty()) return;
-    check_base();
+    std::vector<mesh::Polyline> lines{section_.ground};
+    for (const Chain& line : boundaries_) lines.push_back(line.points);
+    check_base(*options_.base, lines);
     section_.layers.push_back(
         {take_name(names_, boundaries_.empty() ? "soil" : "base"), {}, "", false, *options_.base});
-  }
-
-  /// The base lies below the ground and all lower boundaries.
-  void check_base() const {
-    const auto find_lowest = [](const mesh::Polyline& line) {
-      double lowest = std::numeric_limits<double>::infinity();
-      for (const mesh::Point2& x : line) lowest = std::min(lowest, x[1]);
-      return lowest;
-    };
-    double lowest = find_lowest(section_.ground);
-    for (const Chain& line : boundaries_) lowest = std::min(lowest, find_lowest(line.points));
-    if (!(*options_.base < lowest))
-      fail_input("--base is {:.6g} m, and the lowest line of the survey lies at y = {:.6g} m: the base is below it",
-                 *options_.base, lowest);
   }
 
   /// Converts the rows of a borehole of form `layers` to its layers.
