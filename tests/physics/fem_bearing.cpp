@@ -20,7 +20,7 @@ constexpr double pressure = 4 * cohesion;  ///< stable at full strength
 
 /// Half of a flexible strip of half-width 1 m on a block of 5 m × 3 m, elements of `size` near the strip, or of four
 /// times that everywhere.
-mesh::Mesh<2> make_block(double size, bool is_even = false) {
+mesh::Mesh<2> make_strip_block(double size, bool is_even = false) {
   mesh::Plan plan;
   plan.box_min = {0, 0};
   plan.box_max = {5, 3};
@@ -54,7 +54,7 @@ fem::ReductionResult<2> reduce_strip(const mesh::Mesh<2>& mesh, double dilatancy
 }
 
 fem::ReductionResult<2> reduce_strip(double size, double dilatancy) {
-  return reduce_strip(make_block(size), dilatancy);
+  return reduce_strip(make_strip_block(size), dilatancy);
 }
 
 /// N_c.
@@ -72,7 +72,7 @@ TEST(StripFooting, BearingCapacityOfClayIsPrandtls) {
 }
 
 TEST(StripFooting, FirstBracketOnEitherSideLeadsToTheSameFactor) {
-  const mesh::Mesh<2> mesh = make_block(0.25, true);
+  const mesh::Mesh<2> mesh = make_strip_block(0.25, true);
   const double expected = reduce_strip(mesh, 0).factor;
   for (const double away : {-0.2, -0.003, 0.003, 0.2}) {
     const auto found = reduce_strip(mesh, 0, expected + away, expected + away + 0.004);
@@ -97,7 +97,7 @@ TEST(StripFooting, IntervalOfTwoMeshesHoldsPrandtlsFactor) {
 TEST(StripFooting, IntervalOfAdaptedMeshesHoldsPrandtlsFactor) {
   const double exact = (2 + std::acos(-1.0)) * cohesion / pressure;
   std::vector<results::ElementMeshFactor> meshes;
-  mesh::Mesh<2> mesh = make_block(0.25, true);
+  mesh::Mesh<2> mesh = make_strip_block(0.25, true);
   const std::size_t most = 10 * mesh.elements.size();
   for (;;) {
     const auto quadratic = fem::make_quadratic<2>(mesh);
