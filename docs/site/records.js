@@ -9,9 +9,13 @@ const flatten = (token) =>
     )
     .join("");
 
-// Nobody searches for the digits in a table, and they are a good part of all text.
-const isCellOfNumbers = (tokens, i) =>
-  tokens[i - 1]?.type === "td_open" && /^[\d\s.,:;/×%±()–+-]*$/.test(flatten(tokens[i]));
+// Nobody searches for the digits in a table with their units, and they are a good part of all text.
+const isCellOfNumbers = (tokens, i) => {
+  if (tokens[i - 1]?.type !== "td_open") return false;
+  const text = flatten(tokens[i]);
+  const hasCode = (tokens[i].children ?? []).some(({ type }) => type === "code_inline");
+  return /^[^\p{L}]*$/u.test(text) || (!hasCode && /\d/.test(text) && !/\p{L}{4}/u.test(text));
+};
 
 /** Appends {url, page, title, text} of every section of the page that `state` holds. */
 export function collectRecords(state, records, reference) {

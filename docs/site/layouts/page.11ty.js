@@ -63,8 +63,9 @@ ${source.startsWith("docs/reference/") ? "" : this.writeContents(content)}
     // The reference has a page for every table, and its first page lists them: elsewhere that link is enough.
     const away = name === "Reference" && !sources.includes(current);
     const items = (away ? [sources[0], sources.at(-1)] : sources).map((page) => {
+      // HTML needs no end of a list item, and every page has all of them.
       const here = page === current ? ' aria-current="page"' : "";
-      return `<li><a href="${root}${findPage(page)}"${here}>${escapeHtml(nameOf(page))}</a></li>`;
+      return `<li><a href="${root}${findPage(page)}"${here}>${escapeHtml(nameOf(page))}</a>`;
     });
     const open = sources.includes(current) || name === "Start" ? " open" : "";
     return `<details${open}><summary>${name}</summary><ul>${items.join("")}</ul></details>\n`;
