@@ -170,7 +170,7 @@ export function StageFigure({ construction, drawn }: { construction: Constructio
           erase(pen, fields.nodes, select(fields, (s) => s === 0));
           if (values) paintTriangles(pen, { nodes, triangles: soil }, values, colours, makeScale(low, high), opacity);
           if (on.mesh || on.deformed) drawTriangles(pen, nodes, soil);
-          drawBars(pen, (bar) => supports.some((s) => s.support === bar.support && (s.row ?? bar.row) === bar.row));
+          drawBars(pen, ({ support, row }) => supports.some((s) => s.support === support && (s.row ?? row) === row));
         }}
         depends={[fields, quantity, nodes, on.mesh, opacity]}
         drawOver={(pen) => {

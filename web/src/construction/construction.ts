@@ -73,7 +73,7 @@ type Along = (support: ConstructionSupport) => { place: (number | null)[]; value
 /** Interpolates linearly between places that increase, constant beyond them. */
 function interpolate(place: number[], value: number[], x: number): number {
   const after = place.findIndex((p) => p >= x);
-  if (after === 0 || after < 0) return value.at(after)!;
+  if (after <= 0) return value.at(after)!;
   const share = (x - place[after - 1]!) / (place[after]! - place[after - 1]!);
   return value[after - 1]! + share * (value[after]! - value[after - 1]!);
 }
