@@ -133,6 +133,17 @@ TEST(BoundsEnclosure, HoldsForPressuresAtPoints) {
                     (folder / "grid.csv").string() + "\"\ninterpolation = \"" + kind + "\"\n");
 }
 
+TEST(BoundsEnclosure, HoldsForRatiosAtPoints) {
+  const auto folder = support::make_scratch("bounds_enclosure");
+  std::ofstream file(folder / "ratio.csv");
+  file << "x [m], y [m], r_u\n";
+  for (int i = 0; i <= 15; ++i)
+    for (int j = 0; j <= 5; ++j) file << 2 * i << ", " << 2 * j << ", " << 0.3 + 0.2 * std::sin(3 * i + 5 * j) << "\n";
+  file.close();
+  expect_enclosed(slope + sand + "[initial]\npore_pressure = \"grid\"\n[initial.pressure_grid]\nfile = \"" +
+                  (folder / "ratio.csv").string() + "\"\nquantity = \"r_u\"\n");
+}
+
 /// A triangle that a line halves has seven corners of parts; a corner of the triangle on the line belongs to both.
 TEST(BoundsEnclosure, PartsHaveAPointInsideEachCorner) {
   const std::array<Vec<2>, 3> triangle{Vec<2>{0, 0}, Vec<2>{1, 0}, Vec<2>{0, 1}};

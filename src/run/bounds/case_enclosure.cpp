@@ -277,9 +277,12 @@ void CaseEnclosure::apply(bounds::Problem& problem, bounds::Bound bound) const {
   }
   const double safe = bound == bounds::Bound::lower ? 1 : -1;
   // A function that is to be below `values` lies above the chords of a lattice where it is concave, and conversely.
+  const auto shift = [](Sampled& sampled, std::size_t k, double more) {
+    for (std::size_t i = 0; i < sampled.points[k].size(); ++i) sampled.values[sampled.first[k] + i] += more;
+  };
   const auto move = [&](Sampled& sampled, std::size_t k, double sign, double least) {
     const double more = sign * std::max(least, get_lattice().find_second_difference(sampled.get_values(k), -sign));
-    for (std::size_t i = 0; i < sampled.points[k].size(); ++i) sampled.values[sampled.first[k] + i] += more;
+    shift(sampled, k, more);
   };
   Sampled cohesions =
       sample(problem, origins, of_strength, [&](const auto& places) { return fields_->find_cohesions(places, bound); });
@@ -299,12 +302,16 @@ void CaseEnclosure::apply(bounds::Problem& problem, bounds::Bound bound) const {
   Sampled pressures =
       sample(problem, origins, of_pressure, [&](const auto& places) { return fields_->find_pressures(places); });
   for (std::size_t k = 0; k < of_pressure.size(); ++k) {
-    if (fields_->has_curved_pressure(origins[of_pressure[k]])) move(pressures, k, safe, 0);
+    const std::size_t e = of_pressure[k];
+    if (fields_->has_curved_pressure(origins[e])) move(pressures, k, safe, 0);
+    std::vector<Vec<2>> at;
+    for (const Weights& w : pressures.points[k]) at.push_back(find_place(problem, e, w));
+    shift(pressures, k, safe * fields_->find_ratio_error(origins[e], get_corners(problem, e), at));
     const double* values = pressures.get_values(k);
-    std::array<double, 3>& corners = problem.pore_pressure[of_pressure[k]];
+    std::array<double, 3>& corners = problem.pore_pressure[e];
     corners = find_corners(values);
     for (double& p : corners) p = std::abs(p) <= rounding_ ? 0 : p;
-    enclose_pressure(problem, of_pressure[k], bound, pressures.points[k], values, rounding_);
+    enclose_pressure(problem, e, bound, pressures.points[k], values, rounding_);
   }
 }
 

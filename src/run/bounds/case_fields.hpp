@@ -60,6 +60,10 @@ class CaseFields {
   /// these corners that lies in one of the first mesh [Pa].
   double find_product_error(std::size_t triangle, const std::array<Vec<2>, 3>& corners) const;
   bool has_curved_pressure(std::size_t triangle) const;
+  /// Returns how far a ratio r_u between points times the overburden may be from a linear function in a triangle [Pa].
+  /// `places`: among them those of the extremes of the ratio.
+  double find_ratio_error(std::size_t triangle, const std::array<Vec<2>, 3>& corners,
+                          const std::vector<Vec<2>>& places) const;
   /// Returns true if pore pressures come from a spline, of which no enclosure is known.
   bool takes_spline() const;
 
@@ -80,6 +84,9 @@ class CaseFields {
   };
 
   const Soil& get_soil(std::size_t triangle) const;
+  bool takes_ratio_grid() const;
+  /// Returns the largest difference of depths under the ground between places in a triangle [m].
+  double find_reach(const std::array<Vec<2>, 3>& corners) const;
   std::vector<double> find_root_cohesions(const std::vector<SoilPlace>& places) const;
   /// Returns the first line and the further ones of an envelope, without tension and weak planes.
   bounds::Strength find_lines(const Soil& soil, const Vec<2>& x, double root_cohesion, bounds::Bound bound) const;

@@ -6,7 +6,6 @@
 #include <numbers>
 #include <utility>
 
-#include "run/common/soil_column.hpp"
 #include "site/initial_water.hpp"
 
 namespace talus::run {
@@ -91,15 +90,10 @@ class SoilKinks {
       for (const Point2& x : site_.ground()) add_vertical(x[0]);
   }
 
-  /// Adds verticals below the ends and bends of surcharges, where the effective overburden jumps or bends, and all
-  /// other lines at which it bends.
+  /// Adds verticals below the ends and bends of surcharges, where the effective overburden jumps or bends.
   void add_loads() {
     for (const input::Surcharge& load : data_.surcharges)
       for (const double x : load.x) add_vertical(x);
-    if (!is_every_) return;
-    const SoilColumns columns(site_);
-    for (const double x : columns.list_breaks()) add_vertical(x);
-    for (Polyline& line : columns.list_water_lines()) lines_.push_back(std::move(line));
   }
 
   /// Adds the lines at one distance from the line of the roots below which there are none, and those at which their
@@ -126,15 +120,7 @@ class SoilKinks {
   }
 
   void add_water() {
-    if (takes_water_table(data_)) return add_table();
-    const auto& field = data_.initial.water.field;
-    if (!is_every_ || !site::has_pressure_field(data_) || field->kind() != mesh::Scatter::linear) return;
-    const mesh::Mesh<2>& triangles = field->triangles();
-    for (const auto& corners : triangles.elements) {
-      Polyline outline;
-      for (const int node : corners) outline.push_back(triangles.nodes[static_cast<std::size_t>(node)]);
-      lines_.push_back(mesh::close_polygon(outline));
-    }
+    if (takes_water_table(data_)) add_table();
   }
 
   /// Adds the water table of the soil, level beyond its ends, and verticals below its vertices; with every detail also

@@ -15,7 +15,8 @@ namespace talus::run {
 /// vertices of a dense water table. `every` leaves out nothing.
 enum class KinkDetail { meshed, every };
 
-/// Returns the lines of a soil, some beyond its regions. `plan`: box, named lines and element size of the mesh.
+/// Returns the lines of a soil, some beyond its regions, without the breaks of σ'_v that SoilColumns lists. `plan`:
+/// box, named lines and element size of the mesh.
 std::vector<mesh::Polyline> list_kinks(const site::Site& site, const mesh::Plan& plan, const input::Material& soil,
                                        KinkDetail detail);
 
