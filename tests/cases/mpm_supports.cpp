@@ -115,6 +115,34 @@ TEST_F(MpmSupports, HaveTheFactorOfFem) {
   EXPECT_NEAR(points / elements, 1, 0.03);
 }
 
+/// A case that starts from the result of another with a nail between those of that one continues their forces.
+TEST_F(MpmSupports, KeepTheirForcesBesideOneMore) {
+  const auto run_into = [&](const std::string& name, const std::string& text) {
+    run::RunOptions options;
+    options.folder = folder_ / name;
+    return support::run_case(
+        input::read_case_text("analysis.methods = [\"mpm\"]\nanalysis.kind = \"run\"\n" + text, "cut.toml"), options);
+  };
+  const std::string two = "heads = [[11.25, 6.5], [9.25, 2.5]]",
+                    three = "heads = [[11.25, 6.5], [10.25, 4.5], [9.25, 2.5]]";
+  std::string fewer = nails, soil = cut.substr(0, cut.find("[[stage]]"));
+  fewer.replace(fewer.find(three), three.size(), two);
+  const json before = run_into("two", cut + fewer);
+  const json after =
+      run_into("three", soil + "[[stage]]\nname = \"instant\"\nduration = 1e-4\ncohesion = \"200 kPa\"\n" + nails +
+                            "[initial]\nresult = \"" + (folder_ / "two").string() + "\"\n");
+  ASSERT_EQ(after.at("supports").size(), 3u);
+  for (const std::size_t i : {0u, 1u}) {
+    const json &held = before.at("supports").at(i), &kept = after.at("supports").at(2 * i);
+    const double force = held.at("largest").get<double>();
+    EXPECT_GT(force, 100);
+    EXPECT_NEAR(kept.at("largest").get<double>(), force, 0.01 * force);
+    EXPECT_NEAR(kept.at("plate").get<double>(), held.at("plate").get<double>(), 0.01 * force);
+    EXPECT_NEAR(kept.at("slip").back().get<double>(), held.at("slip").back().get<double>(), 1e-6);
+  }
+  EXPECT_LT(after.at("supports").at(1).at("largest").get<double>(), 1) << "the new one is installed without force";
+}
+
 TEST_F(MpmSupports, RefuseWhatTheyCannotCarry) {
   std::string loose = nails;
   loose.erase(loose.find("axial_stiffness"));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The equilibrium of a bar is the minimum of a convex potential of the slips of its nodes (T25.3), found by Newton's
+// The equilibrium of a bar is the minimum of a convex potential of the slips of its nodes (T25.4), found by Newton's
 // method with a line search.
 #include "mpm/solver/bars.hpp"
 
@@ -15,7 +15,7 @@ namespace {
 
 /// Residual over the largest force of the bar at which it is in equilibrium, the most iterations, and the most halvings
 /// of a step in the line search.
-constexpr double tolerance = 1e-10;
+constexpr double tolerance = 1e-11;
 constexpr int most_iterations = 60, most_halvings = 60;
 /// Stiffness added to each node, over that of its pieces: parts that yield altogether do not drift.
 constexpr double regularisation = 1e-8;
@@ -39,6 +39,7 @@ class BarStep {
       const Vec<2>&before = direction_[i == 0 ? 0 : i - 1], &after = direction_[std::min(i, n - 2)];
       tangent_.push_back(normalise({before[0] + after[0], before[1] + after[1]}));
     }
+    reach_ = sum_deformation();
   }
 
   /// Finds the slips of the nodes, and returns them.
@@ -56,6 +57,19 @@ class BarStep {
   const std::vector<Vec<2>>& tangents() const { return tangent_; }
 
  private:
+  /// Sum of the deformations of all parts in the step and before, and at their yield; no slip is larger [m].
+  double sum_deformation() const {
+    const auto find_yield = [](const SpringLaw& law) { return law.stiffness > 0 ? law.upper / law.stiffness : 0.0; };
+    const std::vector<double> none(bar_.nodes.size(), 0.0);
+    double sum = std::abs(bar_.plate.elastic) + find_yield(bar_.plate.law);
+    if (plate_motion_) sum += norm(Vec<2>{motion_[0][0] - (*plate_motion_)[0], motion_[0][1] - (*plate_motion_)[1]});
+    double bond = 0;
+    for (const BarNode& node : bar_.nodes) bond = std::max(bond, find_yield(node.bond));
+    for (std::size_t j = 0; j < bar_.pieces.size(); ++j)
+      sum += bar_.pieces[j].length * (std::abs(bar_.pieces[j].strain) + std::abs(find_strain(j, none)));
+    return sum + bond + bar_.pieces[0].length * bar_.prestress / bar_.tension.stiffness;
+  }
+
   /// Strain of a piece in the step.
   double find_strain(std::size_t j, const std::vector<double>& slips) const {
     const auto move = [&](std::size_t i) {
@@ -113,36 +127,46 @@ class BarStep {
     return std::all_of(residual_.begin(), residual_.end(), [&](double r) { return std::abs(r) <= tolerance * scale; });
   }
 
-  /// Moves along `change` to where the potential is close to its minimum. Its slope there grows steadily, as it is
-  /// convex; a spring that has yielded may take the full step far too far.
+  /// Moves along `change` to where the potential, with the resistance to the change, is close to its minimum. Its slope
+  /// there grows steadily, as it is convex. A step that ends early ends on this side of the minimum: beyond it nothing
+  /// may pull any more.
   void search(const std::vector<double>& change, std::vector<double>& slips) {
     const std::vector<double> start = slips;
+    const double resistance = compute_resistance();
     const auto move = [&](double step) {
       for (std::size_t i = 0; i < slips.size(); ++i) slips[i] = start[i] + step * change[i];
       evaluate(slips);
-      return find_slope(change);
+      double slope = 0;
+      for (std::size_t i = 0; i < change.size(); ++i)
+        slope += (residual_[i] + step * resistance * change[i]) * change[i];
+      return slope;
     };
-    const double enough = 0.1 * std::abs(find_slope(change));
+    double first = 0;
+    for (std::size_t i = 0; i < change.size(); ++i) first += residual_[i] * change[i];
+    const double enough = 0.1 * std::abs(first);
     double low = 0, high = 1;
     if (move(high) <= enough) return;
     for (int k = 0; k < most_halvings; ++k) {
       const double step = 0.5 * (low + high), slope = move(step);
-      if (std::abs(slope) <= enough) return;
+      if (slope <= 0 && slope >= -enough) return;
       (slope < 0 ? low : high) = step;
     }
   }
 
-  double find_slope(const std::vector<double>& change) const {
-    double slope = 0;
-    for (std::size_t i = 0; i < change.size(); ++i) slope += residual_[i] * change[i];
-    return slope;
+  /// Stiffness against the change of the slips in an iteration. It vanishes with the residual, and keeps the change
+  /// within reach where no part of the bar has stiffness.
+  double compute_resistance() const {
+    double largest = 0;
+    for (const double r : residual_) largest = std::max(largest, std::abs(r));
+    return largest / reach_;
   }
 
   /// Newton's change of the slips: elimination in a tridiagonal matrix that is positive definite.
   void find_change(std::vector<double>& change) const {
     const std::size_t n = change.size();
     std::vector<double> pivot = diagonal_;
-    for (std::size_t i = 0; i < n; ++i) change[i] = -residual_[i];
+    const double resistance = compute_resistance();
+    for (std::size_t i = 0; i < n; ++i) pivot[i] += resistance, change[i] = -residual_[i];
     for (std::size_t i = 1; i < n; ++i) {
       const double ratio = beside_[i - 1] / pivot[i - 1];
       pivot[i] -= ratio * beside_[i - 1];
@@ -191,6 +215,7 @@ class BarStep {
   std::vector<Vec<2>> direction_, tangent_;  ///< of the pieces, and of the nodes
   std::vector<double> residual_, diagonal_, beside_;
   double largest_ = 0;
+  double reach_ = 0;  ///< [m]
 };
 
 /// Displacement of the nodes of a bar with the soil in a step; empty if no node is in soil.
@@ -222,17 +247,19 @@ std::optional<Vec<2>> find_plate_motion(const Body<2>& body, const BarPlate& pla
   return Vec<2>{sum[0] / count, sum[1] / count};
 }
 
-/// Moves a place, and finds its element.
+/// Moves a place, and finds its element. A place outside the grid keeps the last one, by which it may return.
 void move(const mesh::Mesh<2>& mesh, SoilPlace& place, const Vec<2>& u) {
   for (std::size_t d = 0; d < 2; ++d) place.x[d] += u[d];
   if (place.element < 0) return;
-  int element = place.element;
-  Vec<2> xi = mesh::find_local(mesh, element, place.x);
-  if (find_new_element<2>(mesh, element, xi.data())) {
-    place.element = element, place.xi = xi;
-  } else {
-    place.element = -1;  // it has left the grid
-  }
+  place.xi = mesh::find_local(mesh, place.element, place.x);
+  find_new_element<2>(mesh, place.element, place.xi.data());
+}
+
+/// Takes the force off a bar that has left the soil.
+void release(Bar& bar) {
+  for (BarNode& node : bar.nodes) node.force = {}, node.slip = 0;
+  for (BarPiece& piece : bar.pieces) piece.strain = piece.tension = 0;
+  bar.plate.push = {}, bar.plate.elastic = bar.plate.force = 0;
 }
 
 }  // namespace
@@ -249,8 +276,7 @@ void advance_bars(Body<2>& body, const StepOptions<2>& o) {
   for (Bar& bar : body.bars) {
     const std::vector<Vec<2>> motion = find_motion(body, bar, o.dt);
     if (motion.empty()) {
-      for (BarNode& node : bar.nodes) node.force = {};
-      bar.plate.push = {};
+      release(bar);
       continue;
     }
     const std::optional<Vec<2>> plate = find_plate_motion(body, bar.plate, o.dt);

@@ -11,21 +11,9 @@
 
 #include "base/spring.hpp"
 #include "base/vec.hpp"
+#include "mpm/state/soil_place.hpp"
 
 namespace talus::mpm {
-
-template <int D>
-struct Body;
-
-/// A place in the soil on which a bar acts. Its motion is that of the nodes of its element by shape functions, reduced
-/// at nodes with little soil (T25.1), which would be shaken.
-struct SoilPlace {
-  Vec<2> x{};        ///< [m]
-  int element = -1;  ///< holds the place, or did last; -1: none
-  Vec<2> xi{};
-  bool is_joined = false;         ///< there is soil in the element
-  std::array<double, 3> share{};  ///< of the nodes of the element in the motion of the place; their sum is 1
-};
 
 struct BarNode {
   double place = 0;  ///< distance from the head along the bar as it was installed [m]
@@ -46,7 +34,7 @@ struct BarPiece {
 
 /// Plate or facing, which presses on the ground around the head.
 struct BarPlate {
-  std::vector<SoilPlace> places;
+  std::vector<SoilPlace> places;  ///< carried by the points under them
   SpringLaw law;
   double elastic = 0;  ///< [m]
   double force = 0;    ///< [N]
@@ -55,6 +43,7 @@ struct BarPlate {
 
 struct Bar {
   std::string name;            ///< of the support in the case
+  Vec<2> head{}, end{};        ///< as installed [m]
   std::vector<BarNode> nodes;  ///< from the head to the end
   std::vector<BarPiece> pieces;
   SpringLaw tension;                                                ///< of a piece; its deformation is the strain
@@ -65,11 +54,12 @@ struct Bar {
   double divisor = 1;         ///< of the bond
 };
 
-/// Joins the bars to the soil by the present nodal sums, and adds their forces on it to the loads of the nodes.
-void add_bar_forces(Body<2>& body);
+/// Joins the bars to the soil by the present nodal sums and points. A head that touches no soil follows the ground
+/// under its plate.
+void join_bars(Body<2>& body);
 
-/// Motion of a place in a field of the nodes.
-Vec<2> move_place(const Body<2>& body, const SoilPlace& place);
+/// Joins the bars to the soil, and adds their forces on it to the loads of the nodes.
+void add_bar_forces(Body<2>& body);
 
 /// Indices of the joined nodes of a bar around each node, with their weights: the node itself if it is joined.
 struct JoinedNodes {

@@ -32,6 +32,7 @@ class BarPlacer {
     const Vec<2> along{(from.end[0] - from.head[0]) / length, (from.end[1] - from.head[1]) / length};
     mpm::Bar bar;
     bar.name = from.name;
+    bar.head = from.head, bar.end = from.end;
     bar.tension = {from.axial_stiffness, 0, from.tensile, true};
     bar.rupture_strain = rupture_strain;
     bar.prestress = from.prestress;

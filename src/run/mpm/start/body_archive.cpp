@@ -37,6 +37,13 @@ void copy_into(Target& target, const Source& source) {
   std::transform(source.begin(), source.end(), target.begin(), [](auto v) { return static_cast<Value>(v); });
 }
 
+std::vector<std::string> split_lines(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t begin = 0, end; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1)
+    lines.push_back(text.substr(begin, end - begin));
+  return lines;
+}
+
 /// Visits the arrays of doubles of a body with their names, for writing and reading.
 template <class Body, class Visit>
 void visit_reals(Body& body, Visit&& visit) {
@@ -114,13 +121,24 @@ void get_darcy(const ArchiveReader& archive, mpm::DarcyWater<D>& darcy) {
   copy_into(darcy.ponded, archive.integers("water/mixture/ponded"));
 }
 
-/// Visits the numbers of a place, and of the state of a bar.
+/// Visits the length of a list, and its items; for reading the list gets that length.
+template <class List>
+void visit_list(List& list, auto&& visit, auto&& visit_item) {
+  std::size_t count = list.size();
+  visit(count);
+  if constexpr (!std::is_const_v<List>) list.resize(count);
+  for (auto& item : list) visit_item(item);
+}
+
+/// Visits the numbers of a place, and of the state of a bar. The nodes with which a place moves follow from them.
 void visit_place(auto& place, auto&& visit) {
   for (auto& x : place.x) visit(x);
   for (auto& xi : place.xi) visit(xi);
-  for (auto& share : place.share) visit(share);
   visit(place.element);
-  visit(place.is_joined);
+  visit_list(place.carried, visit, [&](auto& share) {
+    visit(share.point);
+    visit(share.weight);
+  });
 }
 void visit_bar(auto& bar, auto&& visit) {
   visit(bar.divisor);
@@ -136,38 +154,68 @@ void visit_bar(auto& bar, auto&& visit) {
     visit(piece.tension);
     visit(piece.is_torn);
   }
-  for (auto& place : bar.plate.places) visit_place(place, visit);
+  visit_list(bar.plate.places, visit, [&](auto& place) { visit_place(place, visit); });
   visit(bar.plate.elastic);
   visit(bar.plate.force);
   for (auto& f : bar.plate.push) visit(f);
 }
 
+/// Numbers of a bar by which it is found again: head and end as installed, number of nodes, size of its state.
+constexpr std::size_t key_size = 6;
+/// Distance of installed heads and ends over the length of the bar within which two bars are the same (rounding).
+constexpr double same_place = 1e-6;
+
 void put_bars(ArchiveWriter& archive, const std::vector<mpm::Bar>& bars) {
   if (bars.empty()) return;
-  std::vector<double> flat;
+  std::vector<double> flat, keys;
   std::string names;
   for (const mpm::Bar& bar : bars) {
     names += bar.name + '\n';
+    const std::size_t before = flat.size();
     visit_bar(bar, [&](const auto& value) { flat.push_back(static_cast<double>(value)); });
+    for (const Vec<2>& x : {bar.head, bar.end}) keys.insert(keys.end(), x.begin(), x.end());
+    for (const std::size_t count : {bar.nodes.size(), flat.size() - before}) keys.push_back(static_cast<double>(count));
   }
   archive.put("bars/names", names);
+  archive.put("bars/keys", keys);
   archive.put("bars/state", flat);
 }
 
-/// Sets the state of bars that the archive has; bars of other supports stay as they were installed.
+bool has_key(const mpm::Bar& bar, const std::string& name, const double* key) {
+  const double near = same_place * norm(Vec<2>{bar.end[0] - bar.head[0], bar.end[1] - bar.head[1]});
+  const Vec<2> head{key[0] - bar.head[0], key[1] - bar.head[1]}, end{key[2] - bar.end[0], key[3] - bar.end[1]};
+  return bar.name == name && norm(head) <= near && norm(end) <= near && static_cast<double>(bar.nodes.size()) == key[4];
+}
+
+void read_bar(const double* value, mpm::Bar& bar) {
+  std::vector<mpm::SoilPlace> installed = bar.plate.places;
+  visit_bar(bar, [&](auto& to) { to = static_cast<std::remove_reference_t<decltype(to)>>(*value++); });
+  if (bar.plate.places.empty()) bar.plate.places = std::move(installed);  // it had no plate
+}
+
+/// Sets the state of each bar that the archive has, by the name of its support and where it was installed. Others are
+/// as installed; the points under their plates are selected anew, since the soil has moved.
 void get_bars(const ArchiveReader& archive, std::vector<mpm::Bar>& bars) {
-  if (bars.empty() || !archive.has("bars/state")) return;
-  std::string names;
-  std::size_t size = 0;
-  for (mpm::Bar& bar : bars) {
-    names += bar.name + '\n';
-    visit_bar(bar, [&](auto&) { ++size; });
-  }
-  const auto& flat = archive.reals("bars/state");
-  if (archive.text("bars/names") != names || flat.size() != size) return;
-  auto next = flat.begin();
   for (mpm::Bar& bar : bars)
-    visit_bar(bar, [&](auto& value) { value = static_cast<std::remove_reference_t<decltype(value)>>(*next++); });
+    for (mpm::SoilPlace& place : bar.plate.places) place.carried.clear();
+  if (bars.empty() || !archive.has("bars/state")) return;
+  if (!archive.has("bars/keys"))
+    throw Error(ExitCode::wrong_input,
+                "the forces of the supports were written by an earlier version; run the case that has them again");
+  const auto &keys = archive.reals("bars/keys"), &flat = archive.reals("bars/state");
+  const double* value = flat.data();
+  std::vector<char> is_found(bars.size(), 0);
+  std::size_t k = 0;
+  for (const std::string& name : split_lines(archive.text("bars/names"))) {
+    const double* key = &keys[k++ * key_size];
+    for (std::size_t i = 0; i < bars.size(); ++i) {
+      if (is_found[i] || !has_key(bars[i], name, key)) continue;
+      is_found[i] = 1;
+      read_bar(value, bars[i]);
+      break;
+    }
+    value += static_cast<std::ptrdiff_t>(key[5]);
+  }
 }
 
 template <int D>
@@ -219,15 +267,9 @@ mesh::Mesh<D> get_mesh(const ArchiveReader& archive) {
   unflatten(archive.reals("mesh/nodes"), mesh.nodes);
   unflatten(archive.integers("mesh/elements"), mesh.elements);
   mesh.element_region = archive.integers("mesh/region");
-  const auto split = [](const std::string& text) {
-    std::vector<std::string> lines;
-    for (std::size_t begin = 0, end; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1)
-      lines.push_back(text.substr(begin, end - begin));
-    return lines;
-  };
-  mesh.region_names = split(archive.text("mesh/region_names"));
+  mesh.region_names = split_lines(archive.text("mesh/region_names"));
   int number = 0;
-  for (const std::string& name : split(archive.text("mesh/side_names")))
+  for (const std::string& name : split_lines(archive.text("mesh/side_names")))
     unflatten(archive.integers(fmt::format("mesh/sides_{}", number++)), mesh.sides[name]);
   mesh::finish(mesh, mesh::Order::as_given);
   return mesh;
@@ -331,6 +373,8 @@ void get_body(const ArchiveReader& archive, mpm::Body<D>& body) {
   body.monitor = {scalars[9], scalars[10], scalars[11], scalars[12], static_cast<int>(counts[2])};
   body.step_count = counts[0];
   get_bars(archive, body.bars);
+  if constexpr (D == 2)
+    if (body.nodes.sums.size() == static_cast<std::size_t>(body.layout->rows) * mpm::sums_stride) mpm::join_bars(body);
 }
 
 #define TALUS_INSTANTIATE(D)                                       \
