@@ -16,6 +16,7 @@ void describe(Visitor& v, MonitorMotion& r) {
   v.key("name", r.name, {"", "monitored place"});
   v.key("onset", r.onset, {"s", "onset of movement"});
   v.key("displacement", r.displacement, {"m", "displacement at the end"});
+  v.maybe("settled", r.settled, {"m", "displacement at which an earlier movement came to rest"});
 }
 
 void describe(Visitor& v, Motion& r) {

@@ -30,6 +30,7 @@ struct MonitorMotion {
   std::string name;
   std::optional<double> onset;         ///< time on the clock [s]; nullopt if the monitor did not move
   std::optional<double> displacement;  ///< at the end [m]; nullopt if the point left the grid
+  std::optional<double> settled = {};  ///< largest displacement of an earlier movement that came to rest [m]
 };
 void describe(Visitor& v, MonitorMotion& r);
 

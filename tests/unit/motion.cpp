@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 
 #include "input/case/result_names.hpp"
 #include "results/run.hpp"
@@ -25,6 +26,82 @@ TEST(Onset, IsWhereTheLineBetweenRowsPassesTheThreshold) {
   EXPECT_DOUBLE_EQ(*find_onset(time, u, 0.045), 18.75) << "the first time, though it comes back";
   const std::vector<double> lost{0, 0.01, NAN, 1};
   EXPECT_FALSE(find_onset(time, lost, 0.03)) << "what is missing is not guessed";
+}
+
+constexpr double threshold = 0.15, failure = 0.45, row = 0.1;
+
+/// A history of 20 s with the displacement `u(t)`.
+MovementOnset find_onset_of(const std::function<double(double)>& u) {
+  std::vector<double> time, displacement;
+  for (int i = 0; i <= 200; ++i) {
+    time.push_back(row * i);
+    displacement.push_back(u(row * i));
+  }
+  return find_movement_onset(time, displacement, threshold, failure);
+}
+
+/// Displacement of a block that is let go at `start` with the constant acceleration 2 m/s².
+double slide(double t, double start) {
+  return t > start ? (t - start) * (t - start) : 0;
+}
+
+const double until_threshold = std::sqrt(threshold);  // [s], of that block
+
+TEST(MovementOnset, OfABlockIsTheTimeAtWhichItPassesTheThreshold) {
+  for (const double start : {0.0, 3.0, 7.0}) {
+    const MovementOnset onset = find_onset_of([&](double t) { return slide(t, start); });
+    EXPECT_NEAR(onset.time.value(), start + until_threshold, 0.01);
+    EXPECT_FALSE(onset.settled);
+  }
+}
+
+TEST(MovementOnset, IsThatOfTheSlideAfterASettlement) {
+  // It settles by 0.2 m within a second, and slides from 7 s.
+  const MovementOnset onset = find_onset_of([](double t) { return 0.2 * (1 - std::exp(-t / 0.25)) + slide(t, 7); });
+  EXPECT_NEAR(onset.time.value(), 7 + until_threshold, 0.02);
+  EXPECT_NEAR(onset.settled.value(), 0.2, 1e-3);
+}
+
+TEST(MovementOnset, IsThatOfTheSlideAfterAnOscillation) {
+  // An elastic oscillation about 0.2 m, of 0.2 m at first, with a period of 2 s and a damping ratio of 5 %.
+  const auto settle = [](double t) { return 0.2 * (1 - std::exp(-0.05 * 3.14 * t) * std::cos(3.14 * t)); };
+  const MovementOnset onset = find_onset_of([&](double t) { return settle(t) + slide(t, 7); });
+  // It is at least as late as the threshold over the middle, and at most by the overshoot of 0.37 m later.
+  EXPECT_GT(onset.time.value(), 7);
+  EXPECT_LT(onset.time.value(), 7 + std::sqrt(threshold + 0.2));
+  EXPECT_NEAR(onset.settled.value(), settle(1), 0.01);
+}
+
+TEST(MovementOnset, IsNotThatOfASettlementAlone) {
+  const MovementOnset onset = find_onset_of([](double t) { return 0.2 * (1 - std::exp(-t / 0.25)); });
+  EXPECT_FALSE(onset.time);
+  EXPECT_NEAR(onset.settled.value(), 0.2, 1e-3);
+  const MovementOnset none = find_onset_of([](double) { return 0.0; });
+  EXPECT_FALSE(none.time);
+  EXPECT_FALSE(none.settled);
+}
+
+TEST(MovementOnset, OfAMovementThatNeverRestsIsItsFirstCrossing) {
+  // Creep that speeds up, as of a slope that becomes wet; and one at a constant speed that stays below failure.
+  EXPECT_NEAR(find_onset_of([](double t) { return 0.01 * std::exp(0.4 * t) - 0.01; }).time.value(), std::log(16) / 0.4,
+              0.01);
+  EXPECT_NEAR(find_onset_of([](double t) { return 0.02 * t; }).time.value(), 7.5, 1e-6);
+  // A slide that stops and goes on began when it began.
+  EXPECT_NEAR(find_onset_of([](double t) { return slide(std::min(t, 5.0), 3) + slide(t, 12); }).time.value(),
+              3 + until_threshold, 0.01);
+}
+
+TEST(MovementOnset, DependsOnNoUnit) {
+  std::vector<double> time, metres, feet;
+  for (int i = 0; i <= 200; ++i) {
+    time.push_back(row * i);
+    metres.push_back(0.2 * (1 - std::exp(-row * i / 0.25)) + slide(row * i, 7));
+    feet.push_back(metres.back() / 0.3048);
+  }
+  const MovementOnset a = find_movement_onset(time, metres, threshold, failure),
+                      b = find_movement_onset(time, feet, threshold / 0.3048, failure / 0.3048);
+  EXPECT_NEAR(a.time.value(), b.time.value(), 1e-9);
+  EXPECT_NEAR(a.settled.value(), 0.3048 * b.settled.value(), 1e-9);
 }
 
 TEST(Pattern, FollowsTheHeightsOfTheMonitors) {

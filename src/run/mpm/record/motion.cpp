@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/shown_units.hpp"
 #include "base/units.hpp"
 #include "input/case/result_names.hpp"
 #include "output/files/history.hpp"
@@ -43,19 +44,26 @@ std::string describe(results::MotionPattern pattern) {
 }
 
 std::string write_sentence(const std::vector<MonitorOnset>& order, results::MotionPattern pattern,
-                           const results::Clock& clock, const std::string& threshold) {
-  std::vector<std::string> moved, still;
+                           const results::Clock& clock, const std::string& threshold, const ShownUnit& unit) {
+  std::vector<std::string> moved, still, settled, resting;
   for (const MonitorOnset& m : order) {
+    if (m.settled)
+      (m.onset ? settled : resting)
+          .push_back(fmt::format("'{}' by {:.3g} {}", m.name, *m.settled / unit.si, unit.name));
     if (m.onset)
       moved.push_back(fmt::format("'{}' after {:.4g} s", m.name, *m.onset));
-    else
+    else if (!m.settled)
       still.push_back(fmt::format("'{}'", m.name));
   }
   const std::string counted =
       fmt::format("displacement above {}, counted from the start of '{}'", threshold, clock.stage);
-  if (moved.empty()) return fmt::format("No monitored point moves ({}).", counted);
-  std::string text = fmt::format("Movement begins at {} ({}){}", join(moved), counted, describe(pattern));
-  if (!still.empty()) text += fmt::format("; {} {} not move", join(still), still.size() == 1 ? "does" : "do");
+  std::string text = moved.empty()
+                         ? fmt::format("No monitored point moves ({})", counted)
+                         : fmt::format("Movement begins at {} ({}){}", join(moved), counted, describe(pattern));
+  if (!settled.empty()) text += fmt::format("; before it the soil settles and comes to rest, at {}", join(settled));
+  if (!resting.empty()) text += fmt::format("; the soil settles and comes to rest, at {}", join(resting));
+  if (!still.empty() && !moved.empty())
+    text += fmt::format("; {} {} not move", join(still), still.size() == 1 ? "does" : "do");
   return text + ".";
 }
 
@@ -113,6 +121,29 @@ std::optional<double> find_onset(std::span<const double> time, std::span<const d
   return std::nullopt;
 }
 
+MovementOnset find_movement_onset(std::span<const double> time, std::span<const double> displacement, double threshold,
+                                  double failure) {
+  const auto end = std::find_if(displacement.begin(), displacement.end(), [](double u) { return std::isnan(u); });
+  const auto count = static_cast<std::size_t>(end - displacement.begin());
+  const std::optional<double> first = find_onset(time.first(count), displacement.first(count), threshold);
+  if (!first) return {};
+  // A slide is beyond `failure` for good from row `gone` on.
+  std::size_t gone = count;
+  while (gone > 0 && displacement[gone - 1] >= failure) --gone;
+  std::optional<std::size_t> rest;
+  for (std::size_t i = 1; i + 1 < gone; ++i) {
+    if (time[i] <= *first) continue;
+    const double mean = (displacement[i] - displacement[0]) / (time[i] - time[0]);
+    if (displacement[i + 1] - displacement[i] <= rest_share * mean * (time[i + 1] - time[i])) rest = i + 1;
+  }
+  if (!rest) return {first, std::nullopt};
+  const double settled =
+      *std::max_element(displacement.begin(), displacement.begin() + static_cast<std::ptrdiff_t>(*rest) + 1);
+  return {find_onset(time.subspan(*rest, count - *rest), displacement.subspan(*rest, count - *rest),
+                     std::min(settled + threshold, failure)),
+          settled};
+}
+
 double find_onset_threshold(const input::Output& output, double slope_height) {
   return output.onset_displacement.value_or(output.onset_ratio * slope_height);
 }
@@ -146,14 +177,17 @@ std::optional<results::Motion> find_motion(const input::Case& data, const std::v
   motion.stage = clock->stage;
   motion.start = clock->start;
   motion.threshold = find_onset_threshold(data.output, slope_height);
+  const double failure = std::max(motion.threshold, data.strength_reduction.curve.displacement_ratio * slope_height);
   std::vector<MonitorOnset> order;
   for (const input::Monitor& m : data.output.monitors) {
     const MonitorPath path = read_monitor_path(table, m.name, *clock);
     double height = 0;
     for (std::size_t d = 0; d < 3; ++d) height -= data.gravity.direction[d] * m.at[d];
-    order.push_back({m.name, height, find_onset(path.time, path.displacement, motion.threshold)});
+    const MovementOnset onset = find_movement_onset(path.time, path.displacement, motion.threshold, failure);
+    order.push_back({m.name, height, onset.time, onset.settled});
     const double end = path.displacement.back();
-    motion.monitors.push_back({m.name, order.back().onset, std::isfinite(end) ? std::optional(end) : std::nullopt});
+    motion.monitors.push_back(
+        {m.name, onset.time, std::isfinite(end) ? std::optional(end) : std::nullopt, onset.settled});
   }
   std::stable_sort(order.begin(), order.end(),
                    [](const auto& a, const auto& b) { return a.onset && (!b.onset || *a.onset < *b.onset); });
@@ -164,7 +198,7 @@ std::optional<results::Motion> find_motion(const input::Case& data, const std::v
   std::string limit = fmt::format("{:.4g} {}", motion.threshold / units::get_si_factor(unit), unit);
   if (!data.output.onset_displacement)
     limit += fmt::format(", {:g} % of the relief of the ground", 100 * data.output.onset_ratio);
-  motion.sentence = write_sentence(order, motion.pattern, *clock, limit);
+  motion.sentence = write_sentence(order, motion.pattern, *clock, limit, {unit, units::get_si_factor(unit)});
   return motion;
 }
 

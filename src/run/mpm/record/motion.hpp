@@ -32,6 +32,23 @@ MonitorPath read_monitor_path(const output::HistoryTable& table, const std::stri
 /// if it never does. `time` ascends; a NaN (the point has left the grid) ends the search.
 std::optional<double> find_onset(std::span<const double> time, std::span<const double> displacement, double threshold);
 
+/// Speed over the mean speed until then, below which a movement has come to rest.
+inline constexpr double rest_share = 0.05;
+
+/// Onset of the movement of a monitor.
+struct MovementOnset {
+  std::optional<double> time;     ///< [s]; nullopt if it did not move, or came to rest and did not move again
+  std::optional<double> settled;  ///< displacement reached by an earlier movement that had come to rest [m]
+};
+
+/// Returns the onset: the time at which `displacement` exceeds `threshold`, unless it comes to rest afterwards while it
+/// is below `failure` [m], the displacement of a slide. That movement is a settlement, as of soil whose holding
+/// strength is taken away; then the onset is the time at which the displacement exceeds the largest one until the last
+/// rest by `threshold`, or reaches `failure`. At rest the speed is below rest_share of its mean until then. Between
+/// rows everything is linear; a NaN ends the search.
+MovementOnset find_movement_onset(std::span<const double> time, std::span<const double> displacement, double threshold,
+                                  double failure);
+
 /// Displacement above which a monitor, or soil in a runout, counts as moved [m].
 double find_onset_threshold(const input::Output& output, double slope_height);
 
@@ -40,6 +57,7 @@ struct MonitorOnset {
   std::string name;
   double height = 0;
   std::optional<double> onset;
+  std::optional<double> settled = {};  ///< as in MovementOnset [m]
 };
 
 /// Classifies the order of the onsets. `together`: the first and the last differ by at most `together_share` of the
