@@ -49,7 +49,7 @@ def run(program, case, aspect, size, extra, folder):
     spent = stored + sum(number(end, f"{part} [J]") for part in ("plastic_work", "damping_work", "wall_work", "mapping_loss"))
     released = number(start, "potential_energy [J]") - number(end, "potential_energy [J]")
     return {
-        "a": aspect, "runout": summary["runout"]["toe"] - 1, "height": max(h for _, h in profile),
+        "a": aspect, "runout": summary["runout"]["mass_front"] - 1, "height": max(h for _, h in profile),
         "farthest": summary["runout"]["farthest_advance"],
         "area": sum(h for _, h in profile) * min(b[0] - a[0] for a, b in zip(profile, profile[1:])) / aspect,
         "lost_points": summary["budgets"]["lost"]["points"],

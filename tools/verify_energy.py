@@ -194,7 +194,7 @@ def measure(runner, name, size):
         return {"said": str(error)}
     stages = summary["stages"]
     start = stages[-2]["time"] if len(stages) > 1 else 0
-    return {**read_budget(runner.get_folder(f"{name} {size:g}"), start), "front": summary["runout"]["front_advance"]}
+    return {**read_budget(runner.get_folder(f"{name} {size:g}"), start), "front": summary["runout"]["mass_front_advance"]}
 
 
 def find_order(values):

@@ -75,7 +75,7 @@ def write_page(rows):
             factor = "–" if r["factor"] is None else f"{r['factor']:.4f}"
             strength = "–" if r["start_factor"] is None else f"{1 / r['start_factor']:.3f}"
             lines.append(f"| {size:g} m | {when} | {r['time'] / HOUR:.2f} h | {factor} | {strength} | "
-                         f"{r['largest_displacement']:.4f} m | {r['front_advance']:.3f} m | {r['moved_volume']:.0f} m³/m |")
+                         f"{r['largest_displacement']:.4f} m | {r['mass_front_advance']:.3f} m | {r['moved_volume']:.0f} m³/m |")
     return "\n".join(lines) + "\n"
 
 

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Optional
 
 from .records import Record
 
@@ -20,18 +20,22 @@ class _Shown(Record):
 
 
 class Result(_Shown, kind="NamedResult"):
-    """A number of a run: .name as in [[compare]], .title, .value in .unit."""
+    """A number of a run: .name as in [[compare]], .title, .value in .unit. The value is None where the two meshes of a
+    runout do not determine it; .undetermined says why."""
 
     @property
-    def si(self) -> float:
-        """The value in SI units."""
-        return float(self._data["value"])
+    def si(self) -> Optional[float]:
+        """The value in SI units; None where it is not determined."""
+        value = self._data["value"]
+        return None if value is None else float(value)
 
     def __float__(self) -> float:
+        if self.value is None:
+            raise ValueError(f"{self.name} is {self.undetermined}")
         return float(self.value)
 
     def __str__(self) -> str:
-        return f"{self.title}: {self.value:.4g}{_write_unit(self.unit)}"
+        return f"{self.title}: {_write_value(self, 4)}"
 
 
 class Comparison(_Shown, kind="Comparison"):
@@ -52,12 +56,18 @@ class ResultTable(dict[str, Result]):
         raise KeyError(f"there is no result '{name}'; there are {', '.join(self)}")
 
     def __repr__(self) -> str:
-        return "\n".join(f"{name}: {result.value:.6g}{_write_unit(result.unit)}" for name, result in self.items())
+        return "\n".join(f"{name}: {_write_value(result, 6)}" for name, result in self.items())
 
 
 def read_results(run: Record) -> ResultTable:
     """The results of a run by name."""
     return ResultTable((result.name, result) for result in run.results or [])
+
+
+def _write_value(result: Result, digits: int) -> str:
+    if result.value is None:
+        return str(result.undetermined)
+    return f"{result.value:.{digits}g}{_write_unit(result.unit)}"
 
 
 def _write_unit(unit: str) -> str:

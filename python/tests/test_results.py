@@ -232,6 +232,17 @@ def test_the_time_of_failure_is_that_of_the_runout(results):
         results.trials[1.5]
 
 
+def test_a_number_that_two_meshes_leave_open_is_none():
+    data = {"name": "runout.front_advance", "title": "advance of the front", "value": None, "unit": {"name": "ft", "si": 0.3048},
+            "undetermined": "not determined (two meshes: 2.0 m and 4.0 m)"}
+    result = talus.Result(data, "NamedResult")
+    assert result.value is None and result.si is None and result.unit == "ft"
+    assert str(result) == "advance of the front: not determined (two meshes: 2.0 m and 4.0 m)"
+    with pytest.raises(ValueError, match="runout.front_advance is not determined"):
+        float(result)
+    assert talus.Result({**data, "value": 0.3048}, "NamedResult").value == 1
+
+
 def test_indices_are_those_of_a_list(results):
     assert [frame.index for frame in results[:2]] == [0, 1] and results[np.int64(-1)].index == len(results) - 1
     for wrong in (1.5, "last", None):

@@ -152,7 +152,10 @@ Table make_named_table(const std::vector<results::NamedResult>& named) {
   table.columns[2].is_mixed = true;
   for (const results::NamedResult& result : named)
     add_row(table, {result.name, result.title,
-                    std::isfinite(result.value) ? Cell(result.value / result.unit.si) : Cell(), result.unit.name});
+                    result.undetermined                            ? Cell(*result.undetermined)
+                    : result.value && std::isfinite(*result.value) ? Cell(*result.value / result.unit.si)
+                                                                   : Cell(),
+                    result.unit.name});
   return table;
 }
 

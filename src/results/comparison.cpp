@@ -97,8 +97,9 @@ void describe(Visitor& v, Unit& r) {
 void describe(Visitor& v, NamedResult& r) {
   v.key("name", r.name, {"", "name"});
   v.key("title", r.title, {"", "title"});
-  v.key("value", r.value, {"", "value in SI"});
+  v.key("value", r.value, {"", "value in SI; null if it is not determined"});
   v.key("unit", r.unit, {"", "unit that it is shown in"});
+  v.maybe("undetermined", r.undetermined, {"", "why it is not determined"});
 }
 
 void describe(Visitor& v, Comparison& r) {

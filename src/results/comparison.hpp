@@ -147,8 +147,9 @@ void describe(Visitor& v, Unit& r);
 /// A result under its name in [[compare]].
 struct NamedResult {
   std::string name, title;
-  double value = 0;  ///< [SI]
-  Unit unit;         ///< unit of display
+  std::optional<double> value;                   ///< [SI]; nullopt if it is not determined
+  Unit unit;                                     ///< unit of display
+  std::optional<std::string> undetermined = {};  ///< why it is not determined
 };
 void describe(Visitor& v, NamedResult& r);
 

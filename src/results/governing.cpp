@@ -357,7 +357,10 @@ void take_motion(const RunResult& run, Release& out) {
   out.moved_volume = run.runout->moved_volume;
   out.front_advance = run.runout->front_advance;
   out.toe_distance = run.runout->toe_distance;
-  out.front_uncertainty = RunoutUncertainty(*run.runout).front_advance;
+  out.mass_front_advance = run.runout->mass_front_advance;
+  out.front_uncertainty = RunoutEstimates(*run.runout).front_advance.uncertainty();
+  out.coarser_mesh = run.runout->coarser_mesh;
+  out.undetermined = run.runout->undetermined;
   out.limits = run.runout->limits;
 }
 

@@ -135,10 +135,13 @@ class Values {
   template <class Name>
   void add_release(const ConstructionStage& stage, const Name& name, const std::string& at) {
     if (!stage.release || stage.release->error) return;
-    add(ResultKind::motion, name("moved_volume"), "moved volume, released" + at, "m3", "moved_volume",
-        stage.release->moved_volume);
-    add(ResultKind::motion, name("toe_distance"), "runout beyond the toe, released" + at, "m", "toe_distance",
-        stage.release->toe_distance);
+    const RunoutEstimates about = make_estimates(*stage.release);
+    const auto add_estimate = [&](const char* key, const char* title, const char* unit, const Estimate& estimate) {
+      add(ResultKind::motion, name(key), title + at, unit, key, estimate.value);
+      list.back().estimate = estimate;
+    };
+    add_estimate("moved_volume", "moved volume, released", "m3", about.moved_volume);
+    add_estimate("toe_distance", "runout beyond the toe, released", "m", about.toe_distance);
   }
 
   /// Root mean square differences from measurements.
@@ -209,13 +212,10 @@ class Values {
   /// Adds the runout; `of` is appended to the titles: ", runout at SRF 1.75".
   void add_runout(const std::string& path, const std::string& of, const Runout& runout) {
     add_side(path, of, runout);
-    const RunoutUncertainty about(runout);
+    const RunoutEstimates about(runout);
     for (NamedValue& v : list) {
       if (v.kind != ResultKind::runout || v.name != path + "." + v.quantity) continue;
-      if (v.quantity == "front_advance") v.uncertainty = {about.front_advance};
-      if (v.quantity == "toe_distance") v.uncertainty = {about.toe_distance};
-      if (v.quantity == "crest_retreat") v.uncertainty = {about.crest_retreat};
-      if (v.quantity == "moved_volume") v.uncertainty = {about.moved_volume};
+      if (const Estimate* estimate = about.find(v.quantity)) v.estimate = *estimate;
     }
     if (!runout.sides) return;
     for (const RunoutSide& side : *runout.sides)
@@ -223,8 +223,8 @@ class Values {
                side);
   }
   void add_side(const std::string& path, const std::string& of, const auto& side) {
-    for (const char* key : {"moved_volume", "front_advance", "toe_distance", "crest_retreat", "centre_advance",
-                            "centre_drop", "largest_displacement"})
+    for (const char* key : {"moved_volume", "deposit_volume", "front_advance", "toe_distance", "crest_retreat",
+                            "mass_front_advance", "centre_advance", "centre_drop", "largest_displacement"})
       add_member(path, side, key, ResultKind::runout, of);
   }
   void add_times(const std::string& path, const std::string& of, std::optional<double> failure, StageEnd end,
@@ -384,11 +384,21 @@ bool is_same_result(const std::string& known, const std::string& asked) {
   return one && other && std::abs(*one - *other) <= near * std::abs(*one);
 }
 
-std::optional<double> find_value(const RunResult& run, const std::string& name) {
-  constexpr int any = 2;  // only the units depend on the dimension
-  for (const NamedValue& value : list_values(run, any))
-    if (is_same_result(value.name, name)) return value.value;
+std::optional<NamedValue> find_named(const RunResult& run, const std::string& name) {
+  for (NamedValue& value : list_values(run, run.mesh ? run.mesh->dimension : 2))
+    if (is_same_result(value.name, name)) return std::move(value);
   return std::nullopt;
+}
+
+std::optional<double> find_value(const RunResult& run, const std::string& name) {
+  const auto value = find_named(run, name);
+  return value && value->is_determined() ? std::optional(value->value) : std::nullopt;
+}
+
+std::string explain_undetermined(const NamedValue& value) {
+  if (value.is_determined()) return "";
+  const bool is_volume = value.unit.starts_with("m3");
+  return format_estimate(*value.estimate, {is_volume ? "m³" + value.unit.substr(2) : value.unit, 1});
 }
 
 CurveValue find_displacement(const RunResult& run, double factor) {

@@ -15,11 +15,6 @@ template <>
 inline constexpr auto words<ResultKind> = std::array{
     "factor", "yield_acceleration", "over_design", "runout", "motion", "stage", "mesh", "water", "seepage", "other"};
 
-/// Discretisation error of a value; nullopt if it was computed on one mesh only.
-struct MeshUncertainty {
-  std::optional<double> value;
-};
-
 struct NamedValue {
   std::string name;   ///< "runout[1.75].moved_volume"
   std::string title;  ///< "moved volume, runout at SRF 1.75"
@@ -28,8 +23,9 @@ struct NamedValue {
   std::string quantity;           ///< "moved_volume"
   std::optional<SliceMethod> by;  ///< method of slices, for factors and yield accelerations of LEM
   double value = 0;               ///< [unit]
-  /// discretisation error, for runouts only
-  std::optional<MeshUncertainty> uncertainty = {};
+  /// of a runout: with the value on a coarser mesh
+  std::optional<Estimate> estimate = {};
+  bool is_determined() const { return !estimate || estimate->is_determined(); }
 };
 
 /// Returns all numbers of `run` in the order of the report, except the displacements of single trials. `dimension` is
@@ -40,8 +36,14 @@ std::vector<NamedValue> list_values(const RunResult& run, int dimension);
 /// `timeline.factor[1110093]` matches a time within a relative tolerance of 1e-6.
 bool is_same_result(const std::string& known, const std::string& asked);
 
-/// Returns the result `name` [SI], or nullopt if the run did not produce it.
+/// Returns the result `name`, or nullopt if the run did not produce it.
+std::optional<NamedValue> find_named(const RunResult& run, const std::string& name);
+
+/// Returns the result `name` [SI], or nullopt if the run did not produce it or does not determine it.
 std::optional<double> find_value(const RunResult& run, const std::string& name);
+
+/// Returns why the value is not determined, with its unit in SI; empty if it is.
+std::string explain_undetermined(const NamedValue& value);
 
 /// Displacement at a factor of the displacement curve, interpolated linearly if no trial has this factor.
 struct CurveValue {

@@ -43,9 +43,22 @@ void describe(Visitor& v, Release& r) {
   v.key("moved_volume", r.moved_volume, {"m3", "moved volume"});
   v.key("front_advance", r.front_advance, {"m", "advance of the front"});
   v.key("toe_distance", r.toe_distance, {"m", "runout beyond the toe"});
+  v.key("mass_front_advance", r.mass_front_advance, {"m", "advance of 99 % of the moved mass"});
   v.maybe("front_uncertainty", r.front_uncertainty,
           {"m", "what the mesh leaves open in the advance of the front, from a coarser mesh"});
+  v.maybe("coarser_mesh", r.coarser_mesh, {"", "the runout on elements twice as large"});
+  v.maybe("undetermined", r.undetermined,
+          {"", "measures whose uncertainty exceeds half of them: their numbers hold for this mesh alone"});
   v.maybe("limits", r.limits, {"", "what the ends of the box limit"});
+}
+
+RunoutEstimates make_estimates(const Release& r) {
+  Runout runout;
+  runout.moved_volume = r.moved_volume;
+  runout.front_advance = r.front_advance;
+  runout.toe_distance = r.toe_distance;
+  runout.coarser_mesh = r.coarser_mesh;
+  return RunoutEstimates(runout);
 }
 
 void describe(Visitor& v, TimedReduction& r) {
@@ -177,10 +190,13 @@ std::string format_releases(const Timeline& t, const ShownUnits& units) {
   const ShownUnit& length = units.length;
   const auto say = [&](const Release& r, const char* before) {
     if (r.error) return fmt::format("the run did not end: {}", *r.error);
-    return fmt::format(
-        "the soil {}moves {} at most{}{}.", before, format_value(r.largest_displacement, length, 3),
-        r.front_advance > 0 ? ", its front " + format_uncertain(r.front_advance, r.front_uncertainty, length) : "",
-        r.limits && r.limits->front ? ", where the box ends" : "");
+    const Estimate front = make_estimates(r).front_advance;
+    const std::string advance = format_estimate(front, length);
+    return fmt::format("the soil {}moves {} at most{}{}.", before, format_value(r.largest_displacement, length, 3),
+                       !front.is_determined() ? "; the advance of its front is " + advance
+                       : r.front_advance > 0  ? ", its front " + advance
+                                              : "",
+                       r.limits && r.limits->front ? ", where the box ends" : "");
   };
   const Release& first = t.releases.front();
   std::string text = format_loss(t);

@@ -48,11 +48,17 @@ struct Release {
   /// Strength reduction factor of the FEM equilibrium that gives the initial stress; nullopt if it is not from FEM.
   std::optional<double> start_factor;
   std::optional<std::string> error;
-  double largest_displacement = 0, moved_volume = 0, front_advance = 0, toe_distance = 0;  ///< as in Runout
-  std::optional<double> front_uncertainty;  ///< discretisation error of the front advance [m]; nullopt if unknown
-  std::optional<BoxLimit> limits;           ///< as in Runout
+  double largest_displacement = 0, moved_volume = 0, front_advance = 0, toe_distance = 0,
+         mass_front_advance = 0;              ///< as in Runout
+  std::optional<double> front_uncertainty;    ///< discretisation error of the front advance [m]; nullopt if unknown
+  std::optional<CoarserRunout> coarser_mesh;  ///< as in Runout
+  std::optional<std::vector<std::string>> undetermined;  ///< as in Runout
+  std::optional<BoxLimit> limits;                        ///< as in Runout
 };
 void describe(Visitor& v, Release& r);
+
+/// Returns the measures of the runout with what its meshes leave open.
+RunoutEstimates make_estimates(const Release& r);
 
 /// FEM results at one time.
 struct TimedReduction {

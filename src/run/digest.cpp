@@ -175,16 +175,14 @@ class Units {
       : units_(read_units(run)), volume_(units_.volume(run.mesh && run.mesh->dimension == 3 ? 3 : 2)) {}
 
   std::string write_length(double metres, int digits = 3) const { return format_value(metres, units_.length, digits); }
-  std::string write_length(double metres, std::optional<double> uncertainty) const {
-    return format_uncertain(metres, uncertainty, units_.length);
+  std::string write_length(const results::Estimate& estimate) const {
+    return results::format_estimate(estimate, units_.length);
   }
   std::string write_level(double y) const { return format_coordinate(y, units_.length); }
   std::string write_displacement(double metres) const { return format_value(metres, units_.displacement, 3); }
   std::string write_stress(double pascals) const { return format_value(pascals, units_.stress, 3); }
   /// In plane strain the volume is per metre or foot of the slope.
-  std::string write_volume(double volume, std::optional<double> uncertainty) const {
-    return format_uncertain(volume, uncertainty, volume_);
-  }
+  std::string write_volume(const results::Estimate& volume) const { return results::format_estimate(volume, volume_); }
   const std::string& volume_name() const { return volume_.name; }
   std::string flow_name() const {
     const std::string& foot = units_.span.name;
@@ -230,28 +228,45 @@ std::string write_factors(const results::PointFactors& factors, const Units& in)
   return text;
 }
 
-std::string write_side(const results::RunoutSide& side, const results::RunoutUncertainty& about, const Units& in) {
-  return fmt::format(
-      "front advances {} and {}{}, crest retreats {}", in.write_length(side.front_advance, about.front_advance),
-      side.toe_distance > 0 ? "passes the toe by " + in.write_length(side.toe_distance, about.toe_distance)
-                            : "stays behind the toe",
-      side.limits && side.limits->front ? " (limited by the end of the box)" : "",
-      in.write_length(side.crest_retreat, about.crest_retreat));
+/// "front advances 1.3 ± 0.4 m"; "advance of the front not determined (two meshes: …)".
+std::string write_estimate(const char* verb, const char* noun, const results::Estimate& estimate, const Units& in) {
+  return fmt::format("{} {}", estimate.is_determined() ? verb : noun, in.write_length(estimate));
+}
+
+std::string write_side(const results::RunoutSide& side, const results::RunoutEstimates& about, const Units& in) {
+  const bool is_behind = about.toe_distance.is_determined() && side.toe_distance <= 0;
+  return fmt::format("{} and {}{}, {}",
+                     write_estimate("front advances", "advance of the front", about.front_advance, in),
+                     is_behind ? "stays behind the toe"
+                               : write_estimate("passes the toe by", "distance beyond the toe", about.toe_distance, in),
+                     side.limits && side.limits->front ? " (limited by the end of the box)" : "",
+                     write_estimate("crest retreats", "retreat of the crest", about.crest_retreat, in));
+}
+
+/// "100 ± 9 m³/m move, 40 ± 3 m³/m lie over the old ground".
+std::string write_volumes(const results::RunoutEstimates& about, const Units& in) {
+  const auto write = [&](const results::Estimate& volume, const char* verb, const char* noun) {
+    return volume.is_determined() ? fmt::format("{} {}", in.write_volume(volume), verb)
+                                  : fmt::format("{} {}", noun, in.write_volume(volume));
+  };
+  const std::string text = write(about.moved_volume, "move", "moved volume");
+  if (about.deposit_volume.is_determined() && about.deposit_volume.value <= 0) return text;
+  return text + ", " + write(about.deposit_volume, "lie over the old ground", "volume over the old ground");
 }
 
 std::string write_runout(const results::Runout& r, const std::string& name, const std::string& end, const Units& in) {
-  const results::RunoutUncertainty about(r);
+  const results::RunoutEstimates about(r);
   const std::string largest = "largest displacement " + in.write_length(r.largest_displacement),
-                    moved = in.write_volume(r.moved_volume, about.moved_volume) + " move" + end;
+                    moved = write_volumes(about, in) + end;
   if (r.moved_volume <= 0)
     return fmt::format("{}: no soil moves more than {}; {}{}\n", name, in.write_length(r.threshold), largest, end);
   if (!r.sides) return fmt::format("{}: {}, {}, {}\n", name, write_side(r, about, in), largest, moved);
   std::string text = fmt::format("{} to both sides: {}, {}\n", name, largest, moved);
-  const results::RunoutUncertainty nothing{results::Runout{}};
-  for (const results::RunoutSide& side : *r.sides)
-    text += fmt::format("  {}: {}, {} move\n", results::name_side(side.direction),
-                        write_side(side, side.direction == r.direction ? about : nothing, in),
-                        in.write_volume(side.moved_volume, std::nullopt));
+  for (const results::RunoutSide& side : *r.sides) {
+    const results::RunoutEstimates own(side);  // two meshes have only the sum of both sides
+    text += fmt::format("  {}: {}, {}\n", results::name_side(side.direction),
+                        write_side(side, side.direction == r.direction ? about : own, in), write_volumes(own, in));
+  }
   return text;
 }
 
@@ -314,6 +329,14 @@ std::string write_excess(const results::ConstructionStep& step, const Units& in)
   return in.write_stress(-least > step.excess ? least : step.excess);
 }
 
+std::string write_release(const results::Release& release, const Units& in) {
+  const results::Estimate moved = results::make_estimates(release).moved_volume;
+  const std::string volume = in.write_volume(moved), largest = in.write_displacement(release.largest_displacement);
+  return moved.is_determined()
+             ? fmt::format("    MPM from its end: {} moves by at most {}\n", volume, largest)
+             : fmt::format("    MPM from its end: moved volume {}, largest displacement {}\n", volume, largest);
+}
+
 std::string write_construction(const results::Construction& c, const Units& in) {
   std::string text = "  Stage                    End         Settlement   Heave        Excess pressure   Factor\n";
   for (const results::ConstructionStage& stage : c.stages) {
@@ -327,9 +350,7 @@ std::string write_construction(const results::Construction& c, const Units& in) 
     text += stage.error ? "fails\n" : "\n";
     if (stage.release)
       text += stage.release->error ? fmt::format("    MPM: {}\n", *stage.release->error)
-                                   : fmt::format("    MPM from its end: {} moves by at most {}\n",
-                                                 in.write_volume(stage.release->moved_volume, std::nullopt),
-                                                 in.write_displacement(stage.release->largest_displacement));
+                                   : write_release(*stage.release, in);
   }
   for (const results::ConstructionMonitor& m : c.monitors) {
     if (m.measured_settlement && m.measured_settlement->rms)

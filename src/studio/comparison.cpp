@@ -53,17 +53,22 @@ const results::NamedResult* find_result(const results::RunResult& run, const std
   return found == run.results.end() ? nullptr : &*found;
 }
 
+/// Returns the number in the unit of display, or "not determined".
+json write_value(const results::NamedResult& result, double unit) {
+  return result.value ? json(write_number(*result.value / unit)) : json("not determined");
+}
+
 json write_difference(const results::NamedResult* first, const results::NamedResult* second) {
   const results::NamedResult& shown = first != nullptr ? *first : *second;
   const auto in_unit = [&](const results::NamedResult* result) {
-    return result == nullptr ? json() : write_number(result->value / shown.unit.si);
+    return result == nullptr ? json() : write_value(*result, shown.unit.si);
   };
   json out{{"name", shown.name},        {"title", shown.title},  {"unit", shown.unit.name}, {"first", in_unit(first)},
            {"second", in_unit(second)}, {"difference", nullptr}, {"relative", nullptr}};
-  if (first == nullptr || second == nullptr) return out;
-  const double difference = second->value - first->value;
+  if (first == nullptr || second == nullptr || !first->value || !second->value) return out;
+  const double difference = *second->value - *first->value;
   out["difference"] = write_number(difference / shown.unit.si);
-  if (first->value != 0) out["relative"] = write_number(difference / std::abs(first->value));
+  if (*first->value != 0) out["relative"] = write_number(difference / std::abs(*first->value));
   return out;
 }
 
@@ -92,7 +97,7 @@ json list_run(const results::RunResult& run) {
     values.push_back({{"name", result.name},
                       {"title", result.title},
                       {"unit", result.unit.name},
-                      {"value", write_number(result.value / result.unit.si)}});
+                      {"value", write_value(result, result.unit.si)}});
   if (run.methods)
     for (const results::MethodSurface& surface : run.methods->surfaces) {
       json& out = surfaces.emplace_back();

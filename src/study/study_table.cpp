@@ -48,11 +48,15 @@ std::optional<double> get_displacement(const RunResult& r, double factor) {
   return std::nullopt;
 }
 
-std::optional<double> get_front_advance(const RunResult& r, double factor) {
+const Runout* find_runout(const RunResult& r) {
+  return r.runout ? &*r.runout : nullptr;
+}
+
+const Runout* find_runout_at(const RunResult& r, double factor) {
   if (r.runouts)
     for (const results::RunoutTrial& t : *r.runouts)
-      if (std::abs(t.trial.factor - factor) < same_factor) return t.runout.front_advance;
-  return std::nullopt;
+      if (std::abs(t.trial.factor - factor) < same_factor) return &t.runout;
+  return nullptr;
 }
 
 std::optional<double> get_time_step(const RunResult& r) {
@@ -138,6 +142,30 @@ class Columns {
                 : StudyCell{});
     }
     if (any || always) table.push_back(std::move(column));
+  }
+
+  /// Adds the measure `key` of a runout. A cell whose two meshes leave it open has no number.
+  void add_measure(const std::string& name, const std::string& unit, const char* format, const char* key,
+                   const std::function<const Runout*(const RunResult&)>& find, ColumnKind kind = ColumnKind::other) {
+    const auto get_estimate = [&](const RunResult& r) -> std::optional<results::Estimate> {
+      const Runout* runout = find(r);
+      return runout != nullptr ? std::optional(*results::RunoutEstimates(*runout).find(key)) : std::nullopt;
+    };
+    const auto is_open = [&](const StudyRow& row) {
+      const auto estimate = row.result ? get_estimate(*row.result) : std::nullopt;
+      return estimate && !estimate->is_determined();
+    };
+    const std::size_t count = table.size();
+    add(
+        name, unit, format, std::any_of(rows_.begin(), rows_.end(), is_open),
+        [&](const RunResult& r) {
+          const auto estimate = get_estimate(r);
+          return estimate && estimate->is_determined() ? std::optional(estimate->value) : std::nullopt;
+        },
+        kind);
+    if (table.size() == count) return;
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+      if (is_open(rows_[i])) table.back().cells[i].shown = "not determined";
   }
 
   /// Adds the factor of safety with the result name `name`.
@@ -244,25 +272,24 @@ std::vector<StudyColumn> make_study_table(const StudyPlan& plan, const std::vect
   for (const FactorColumn& f : element_factors) columns.add_factor(f.title, f.name);
   columns.add_missing_factors();
   for (const double f : list_runout_factors(rows))
-    columns.add(
-        fmt::format("front advance at SRF {:g}", f), plan.summary.units.length, "{:.3g}", false,
-        [f](const RunResult& r) { return get_front_advance(r, f); }, ColumnKind::runout);
+    columns.add_measure(
+        fmt::format("front advance at SRF {:g}", f), plan.summary.units.length, "{:.3g}", "front_advance",
+        [f](const RunResult& r) { return find_runout_at(r, f); }, ColumnKind::runout);
   add_motion(plan, rows, columns);
   columns.add(
       "largest displacement", plan.summary.units.displacement, "{:.4g}", false,
       [](const RunResult& r) { return get(r.runout, &Runout::largest_displacement); }, ColumnKind::displacement);
-  for (const auto& [name, number] : {std::pair{"front advance", &Runout::front_advance},
-                                     {"runout beyond the toe", &Runout::toe_distance},
-                                     {"crest retreat", &Runout::crest_retreat},
-                                     {"advance of the centre", &Runout::centre_advance}})
-    columns.add(
-        name, plan.summary.units.length, "{:.3g}", false, [n = number](const RunResult& r) { return get(r.runout, n); },
-        number == &Runout::front_advance ? ColumnKind::runout : ColumnKind::other);
+  columns.add_measure("front advance", plan.summary.units.length, "{:.3g}", "front_advance", find_runout,
+                      ColumnKind::runout);
+  columns.add_measure("runout beyond the toe", plan.summary.units.length, "{:.3g}", "toe_distance", find_runout);
+  columns.add_measure("crest retreat", plan.summary.units.length, "{:.3g}", "crest_retreat", find_runout);
+  columns.add("advance of the centre", plan.summary.units.length, "{:.3g}", false,
+              [](const RunResult& r) { return get(r.runout, &Runout::centre_advance); });
   const bool plane = std::all_of(rows.begin(), rows.end(), [](const StudyRow& row) {
     return !row.result || !row.result->mesh || row.result->mesh->dimension == 2;
   });
-  columns.add("moved volume", plane ? "m3/m" : "m3", "{:.4g}", false,
-              [](const RunResult& r) { return get(r.runout, &Runout::moved_volume); });
+  columns.add_measure("moved volume", plane ? "m3/m" : "m3", "{:.4g}", "moved_volume", find_runout);
+  columns.add_measure("volume over the old ground", plane ? "m3/m" : "m3", "{:.4g}", "deposit_volume", find_runout);
   for (const auto& [name, number] : {std::pair{"points", &results::Mesh::points},
                                      {"elements with soil", &results::Mesh::soil_elements},
                                      {"elements", &results::Mesh::elements}})

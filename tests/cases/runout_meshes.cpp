@@ -37,7 +37,8 @@ TEST_F(RunoutMeshes, TheCoarserIsTheCaseWithElementsTwiceAsLarge) {
   EXPECT_FALSE(coarse.contains("coarser_mesh"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "coarser_mesh")) << "of the run that this one overwrote";
   EXPECT_EQ(out.at("size"), 0.2);
-  for (const char* key : {"front_advance", "toe_distance", "crest_retreat", "moved_volume", "highest_ground"})
+  for (const char* key :
+       {"front_advance", "toe_distance", "crest_retreat", "moved_volume", "deposit_volume", "highest_ground"})
     EXPECT_EQ(out.at(key), coarse.at(key)) << key;
   EXPECT_GT(fine.at("front_advance"), coarse.at("front_advance")) << "a finer mesh has a thinner front";
 }
@@ -100,6 +101,13 @@ TEST_F(RunoutMeshes, TrialsThatRunOutHaveTwoMeshesEach) {
   EXPECT_GT(runout.at("front_advance"), 0);
   EXPECT_EQ(runout.at("coarser_mesh").at("size"), 4);
   EXPECT_EQ(runout.at("coarser_mesh").at("front_advance"), 0) << "the locking of large elements holds the slope";
+  const auto keys = runout.at("undetermined").get<std::vector<std::string>>();
+  EXPECT_NE(std::find(keys.begin(), keys.end(), "front_advance"), keys.end());
+  for (const json& entry : result.at("results"))
+    if (entry.at("name") == "runout[1.75].front_advance") {
+      EXPECT_TRUE(entry.at("value").is_null());
+      EXPECT_NE(entry.at("undetermined").get<std::string>().find("not determined (two meshes: "), std::string::npos);
+    }
 }
 
 }  // namespace

@@ -151,11 +151,13 @@ TEST_F(TrueStatements, LengthsAreInTheUnitOfTheCase) {
 }
 
 TEST_F(TrueStatements, ARetreatingFrontHasNoNegativeAdvance) {
-  summary_["runout"].update({{"moved_volume", 1234.5}, {"front_advance", -0.061}, {"largest_displacement", 1500}});
+  summary_["runout"].update(
+      {{"moved_volume", 1234.5}, {"deposit_volume", 320}, {"front_advance", 0.061}, {"largest_displacement", 1500}});
   summary_["stages"][0]["end"] = "rest";
   EXPECT_CONTAINS(collect_statements(),
-                  "largest displacement is 1500 m, the front goes back by 0.061 m and stays behind the toe, the crest "
-                  "stays, and 1200 m³ per metre move; after 2 s the soil is at rest.");
+                  "largest displacement is 1500 m, the front advances 0.061 m and stays behind the toe, the crest "
+                  "stays, and 1200 m³ per metre move, of which 320 m³ per metre lie over the old ground; after 2 s the "
+                  "soil is at rest.");
 }
 
 TEST_F(TrueStatements, AFrontAtTheEndOfTheBoxIsReportedAsLimited) {
@@ -179,6 +181,33 @@ TEST_F(TrueStatements, ARunoutHasTheDigitsThatItsMeshesLeave) {
   EXPECT_CONTAINS(text, "the front advances 1.3 ± 0.4 m");
   EXPECT_CONTAINS(text, "57 ± 11 m³ per metre move");
   EXPECT_CONTAINS(text, "y = 8.7 ± 0.3 m. Behind ± stands three times the difference from elements of 0.1 m.");
+}
+
+TEST_F(TrueStatements, AMeasureThatTwoMeshesLeaveOpenIsNotDetermined) {
+  summary_["runout"].update({{"moved_volume", 57.1},
+                             {"deposit_volume", 12},
+                             {"front_advance", 2},
+                             {"toe_distance", 3},
+                             {"highest_ground", 8.678}});
+  summary_["runout"]["coarser_mesh"] = {{"size", 0.1},          {"front_advance", 4},  {"toe_distance", 0},
+                                        {"crest_retreat", 1.0}, {"moved_volume", 157}, {"highest_ground", 8.589},
+                                        {"deposit_volume", 4}};
+  const json metre{{"name", "m"}, {"si", 1}};
+  summary_["results"] = {{{"name", "runout.front_advance"},
+                          {"title", "advance"},
+                          {"value", nullptr},
+                          {"unit", metre},
+                          {"undetermined", "not determined (two meshes: 2.0 m and 4.0 m)"}}};
+  const std::string text = collect_statements();
+  EXPECT_CONTAINS(
+      text,
+      "the advance of the front is not determined (two meshes: 2.0 m and 4.0 m) and its distance beyond the "
+      "toe is not determined (two meshes: 3.0 m and 0 m), the retreat of the crest is not determined "
+      "(two meshes: 0 m and 1.0 m), and the volume that moves is not determined (two meshes: 57 m³ per "
+      "metre and 160 m³ per metre), the volume over the old ground is not determined");
+  const json shown = report().at("answer").at("results").at(0);
+  EXPECT_TRUE(shown.at("value").is_null());
+  EXPECT_EQ(shown.at("text"), "not determined (two meshes: 2.0 m and 4.0 m)");
 }
 
 TEST_F(TrueStatements, PointsThatLeftAreTakenOutOfTheAnswer) {

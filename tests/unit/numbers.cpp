@@ -7,7 +7,9 @@
 
 #include <limits>
 
+#include "results/named.hpp"
 #include "results/runout.hpp"
+#include "run/digest.hpp"
 
 namespace talus {
 namespace {
@@ -48,10 +50,47 @@ TEST(Uncertain, OfTwoMeshesIsThreeTimesTheirDifference) {
   EXPECT_NEAR(results::find_mesh_uncertainty(limit + error, limit + 2 * error), 3 * error, 1e-12);
   EXPECT_NEAR(results::find_mesh_uncertainty(limit - error, limit - 2 * error), 3 * error, 1e-12);
   results::Runout runout;
-  EXPECT_FALSE(results::RunoutUncertainty(runout).front_advance) << "one mesh has none";
+  EXPECT_FALSE(results::RunoutEstimates(runout).front_advance.uncertainty()) << "one mesh has none";
   runout.front_advance = 1.2;
   runout.coarser_mesh = {0.5, 1.1};
-  EXPECT_NEAR(*results::RunoutUncertainty(runout).front_advance, 0.3, 1e-12);
+  EXPECT_NEAR(*results::RunoutEstimates(runout).front_advance.uncertainty(), 0.3, 1e-12);
+}
+
+TEST(Estimate, IsDeterminedUpToHalfOfItselfOrAnElement) {
+  using results::Estimate;
+  EXPECT_TRUE((Estimate{6}).is_determined()) << "one mesh has no uncertainty";
+  EXPECT_TRUE((Estimate{6, 5}).is_determined()) << "± 3 is half of it";
+  EXPECT_FALSE((Estimate{6, 4.999}).is_determined());
+  EXPECT_FALSE((Estimate{-6, -7.001}).is_determined());
+  EXPECT_TRUE((Estimate{0, 0}).is_determined());
+  EXPECT_FALSE((Estimate{0, 0.1}).is_determined());
+  EXPECT_TRUE((Estimate{0, 0.1, 0, 0.5}).is_determined()) << "± 0.3 is less than an element";
+  EXPECT_FALSE((Estimate{1006, 1004, 1000}).is_determined()) << "a level over the lowest ground";
+  EXPECT_TRUE((Estimate{1006, 1005, 1000}).is_determined());
+  const ShownUnit foot{"ft", 0.3048};
+  EXPECT_EQ(results::format_estimate({0.3048 * 6, 0.3048 * 4}, foot), "not determined (two meshes: 6.0 ft and 4.0 ft)");
+  EXPECT_EQ(results::format_estimate({0.3048 * 6, 0.3048 * 5.5}, foot), "6.0 ± 1.5 ft");
+  EXPECT_EQ(results::format_estimate({0.3048 * 6}, foot), "6.0 ft");
+}
+
+TEST(Estimate, OfTheKeptCaseOfQuickClayIsNotDetermined) {
+  // Front 2 ± 6 m, toe passed by 200 ± 500 m, 10,000 ± 30,000 m³/m on elements of 1.5 m.
+  results::RunResult run;
+  results::Runout& r = run.runout.emplace();
+  r.front_advance = 2, r.toe_distance = 155, r.moved_volume = 7000, r.highest_ground = 29.9, r.lowest_ground = 15;
+  r.coarser_mesh = {3, 4, 0, 0, 17000, 29.95, 0};
+  EXPECT_EQ(results::RunoutEstimates(r).list_undetermined(),
+            (std::vector<std::string>{"front_advance", "toe_distance", "moved_volume"}));
+  EXPECT_FALSE(results::find_value(run, "runout.front_advance"));
+  EXPECT_EQ(results::find_value(run, "runout.crest_retreat"), 0);
+  EXPECT_EQ(results::explain_undetermined(*results::find_named(run, "runout.moved_volume")),
+            "not determined (two meshes: 7000 m³/m and 17000 m³/m)");
+  const std::string text = run::write_digest(run);
+  for (const char* part : {"advance of the front not determined (two meshes: 2.0 m and 4.0 m)",
+                           "distance beyond the toe not determined (two meshes: 160 m and 0 m)", "crest retreats 0 m",
+                           "moved volume not determined (two meshes: 7000 m³/m and 17000 m³/m)"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+  EXPECT_EQ(text.find(" ± "), std::string::npos) << text;
 }
 
 }  // namespace

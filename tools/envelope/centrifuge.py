@@ -147,7 +147,8 @@ def measure(folders):
     names = ("id", "displacement", "deviatoric_strain", "saturation", "pore_pressure")
     frames, others = fallow.frames(names), rooted.frames(names)
     dry = frames[0]["pore_pressure"] < 0
-    runout = next(r["value"] for r in fallow.summary["results"] if r["name"] == "runout.toe_distance")
+    found = fallow.summary["runout"]
+    runout = max(0.0, found["direction"] * (found["mass_front"] - found["initial_toe"]))  # of 99 % of the moved mass
     monitor = Point(fallow, frames).onset
     common = {"C6": Measured(find_toe_strain(fallow, frames, monitor)), "C8": Measured(count_blocks(fallow, frames)),
               "C13": Measured(compare_layer(rooted, others)), "C14": Measured(runout),

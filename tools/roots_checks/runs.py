@@ -31,7 +31,9 @@ class Slope(Run):
 
     @property
     def runout(self):
-        return self.values["runout.toe_distance"]
+        """Distance beyond the toe of 99 % of the moved mass [m]."""
+        found = self.summary["runout"]
+        return max(0.0, found["direction"] * (found["mass_front"] - found["initial_toe"]))
 
     @property
     def pattern(self):

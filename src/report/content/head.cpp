@@ -52,7 +52,7 @@ namespace {
 /// Times of a timeline are shown in hours or days; volumes, flows and speeds in feet if lengths are.
 ShownUnit choose_unit(const results::NamedResult& result, const ShownUnits& units, std::size_t dimension) {
   const std::string& name = result.unit.name;
-  if (name == "s") return choose_time_unit(std::abs(result.value));
+  if (name == "s") return choose_time_unit(std::abs(result.value.value_or(0)));
   if (name == "m") return units.length;
   if (name == "m/s") return units.speed();
   if (name.starts_with("m3/s")) return units.flow(dimension);
@@ -75,18 +75,22 @@ json list_named_results(const ResultFolder& folder) {
     const bool of_run = folder.data.analysis == input::AnalysisKind::run;
     if (has_lost_all(folder.run) && about.kind == results::ResultKind::runout && of_run) continue;
     // The title already states that the discharge is an inflow.
-    const bool flows_in = about.quantity == "discharge" && result.value < 0;
+    const bool flows_in = about.quantity == "discharge" && result.value.value_or(0) < 0;
     const ShownUnit unit = choose_unit(result, units, dimension);
     json& out = list.emplace_back();
     out = {{"name", result.name},
            {"title", flows_in ? result.title.substr(0, result.title.rfind(',')) : result.title},
-           {"value", flows_in ? -result.value : result.value},
+           {"value", nullptr},
            {"unit", report::to_json(unit)},
            {"kind", results::to_word(about.kind)},
            {"quantity", about.quantity},
            {"by", about.by ? to_word(*about.by) : ""}};
-    if (about.uncertainty)
-      out["text"] = format_uncertain(result.value, about.uncertainty->value, {"", unit.si}) + "\u00a0" + unit.name;
+    if (result.value && about.is_determined()) out["value"] = flows_in ? -*result.value : *result.value;
+    if (about.estimate && about.is_determined())
+      out["text"] = format_uncertain(result.value.value_or(about.value), about.estimate->uncertainty(), {"", unit.si}) +
+                    "\u00a0" + unit.name;
+    else if (about.estimate)
+      out["text"] = results::format_estimate(*about.estimate, unit);
   }
   return list;
 }

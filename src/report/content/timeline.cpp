@@ -60,7 +60,7 @@ json make_timeline(const ResultFolder& folder, Packer& packer, json& warnings) {
   for (const results::Release& r : timeline.releases)
     block["releases"].push_back({{"title", results::format_moment(timeline, r.time)},
                                  {"start", format_start(r)},
-                                 {"front", format_uncertain(r.front_advance, r.front_uncertainty, units.length)}});
+                                 {"front", format_estimate(make_estimates(r).front_advance, units.length)}});
   add_fields(folder, block, packer, warnings);
   return block;
 }

@@ -199,13 +199,12 @@ class RunoutWords {
            std::optional<double> failure_time) {
     const std::string largest =
         fmt::format("{} the largest displacement is {}", where, length(runout.largest_displacement));
-    const results::RunoutUncertainty about(runout);
+    const results::RunoutEstimates about(runout);
     if (runout.sides)
       format_sides(runout, *runout.sides, largest, end);
     else if (runout.moved_volume > 0)
-      sentences_.push_back(fmt::format("{}, {}, {}, and {} move; {}.", largest, describe_front(runout, about),
-                                       describe_crest(runout, about),
-                                       format_uncertain(runout.moved_volume, about.moved_volume, volume_), end));
+      sentences_.push_back(fmt::format("{}, {}, {}, and {}; {}.", largest, describe_front(runout, about),
+                                       describe_crest(runout, about), describe_volumes(about), end));
     else
       sentences_.push_back(fmt::format("{}: no soil moves further than 1 % of the height; {}.", largest, end));
     if (failure_time)
@@ -220,34 +219,47 @@ class RunoutWords {
 
   void format_sides(const results::Runout& runout, const std::vector<results::RunoutSide>& sides,
                     const std::string& largest, const std::string& end) {
-    const results::RunoutUncertainty about(runout), nothing{results::Runout{}};
-    sentences_.push_back(fmt::format("{}, and {} move to both sides; {}.", largest,
-                                     format_uncertain(runout.moved_volume, about.moved_volume, volume_), end));
-    // The coarser mesh is that of the side which represents the whole runout.
+    const results::RunoutEstimates about(runout);
+    sentences_.push_back(fmt::format("{}, and {}; {}.", largest, describe_volumes(about, " to both sides"), end));
+    // The coarser mesh is that of the side which represents the whole runout, and has the sum of the volumes only.
     for (const results::RunoutSide& side : sides) {
-      const auto& own = side.direction == runout.direction ? about : nothing;
-      sentences_.push_back(fmt::format("On the {} {}, {}, and {} move.", side.direction < 0 ? "left" : "right",
-                                       describe_front(side, own), describe_crest(side, own),
-                                       format_uncertain(side.moved_volume, std::nullopt, volume_)));
+      const results::RunoutEstimates own(side);
+      const auto& ends = side.direction == runout.direction ? about : own;
+      sentences_.push_back(fmt::format("On the {} {}, {}, and {}.", side.direction < 0 ? "left" : "right",
+                                       describe_front(side, ends), describe_crest(side, ends), describe_volumes(own)));
     }
   }
 
-  std::string describe_front(const results::RunoutSide& runout, const results::RunoutUncertainty& about) const {
-    const double advance = runout.front_advance, beyond = runout.toe_distance;
-    return fmt::format("the front {} {} and {}{}", advance < 0 ? "goes back by" : "advances",
-                       format_uncertain(std::abs(advance), about.front_advance, length_),
-                       beyond > 0 ? "lies " + format_uncertain(beyond, about.toe_distance, length_) + " beyond the toe"
-                                  : "stays behind the toe",
+  std::string describe_front(const results::RunoutSide& runout, const results::RunoutEstimates& about) const {
+    const results::Estimate &advance = about.front_advance, &beyond = about.toe_distance;
+    const std::string first = format_estimate(advance, length_), second = format_estimate(beyond, length_);
+    return fmt::format("{} and {}{}",
+                       advance.is_determined() ? "the front advances " + first : "the advance of the front is " + first,
+                       !beyond.is_determined() ? "its distance beyond the toe is " + second
+                       : beyond.value > 0      ? "lies " + second + " beyond the toe"
+                                               : "stays behind the toe",
                        runout.limits && runout.limits->front ? ", where the box ends, which limits them" : "");
   }
-  std::string describe_crest(const results::RunoutSide& runout, const results::RunoutUncertainty& about) const {
-    if (!(runout.crest_retreat > 0)) return "the crest stays";
-    return fmt::format("the crest retreats {}{}", format_uncertain(runout.crest_retreat, about.crest_retreat, length_),
+  std::string describe_crest(const results::RunoutSide& runout, const results::RunoutEstimates& about) const {
+    const results::Estimate& retreat = about.crest_retreat;
+    if (!retreat.is_determined()) return "the retreat of the crest is " + format_estimate(retreat, length_);
+    if (!(retreat.value > 0)) return "the crest stays";
+    return fmt::format("the crest retreats {}{}", format_estimate(retreat, length_),
                        runout.limits && runout.limits->crest ? ", to the end of the box" : "");
   }
-  std::string describe_mesh(const results::Runout& runout, const results::RunoutUncertainty& about) const {
-    const std::string highest =
-        "The highest ground lies at y = " + format_uncertain(runout.highest_ground, about.highest_ground, length_);
+  /// "57 ± 11 m³ per metre move, of which 20 ± 3 m³ per metre lie over the old ground".
+  std::string describe_volumes(const results::RunoutEstimates& about, const char* where = "") const {
+    const results::Estimate &moved = about.moved_volume, &deposit = about.deposit_volume;
+    const std::string first = format_estimate(moved, volume_), second = format_estimate(deposit, volume_);
+    const std::string text = moved.is_determined() ? fmt::format("{} move{}", first, where)
+                                                   : fmt::format("the volume that moves{} is {}", where, first);
+    if (!deposit.is_determined()) return text + ", the volume over the old ground is " + second;
+    return deposit.value > 0 ? text + ", of which " + second + " lie over the old ground" : text;
+  }
+  std::string describe_mesh(const results::Runout& runout, const results::RunoutEstimates& about) const {
+    const std::string highest = (about.highest_ground.is_determined() ? "The highest ground lies at y = "
+                                                                      : "The level of the highest ground is ") +
+                                format_estimate(about.highest_ground, length_);
     if (!runout.coarser_mesh) return highest + "; one mesh shows no uncertainty.";
     return fmt::format("{}. Behind ± stands three times the difference from elements of {}.", highest,
                        length(runout.coarser_mesh->size));

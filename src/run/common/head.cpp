@@ -106,7 +106,7 @@ results::Comparison compare_with(const input::Case& data, const input::Compare& 
   out.tolerance = input::find_tolerance(compare);
   out.tolerance_text = compare.tolerance.text;
   out.source = compare.source;
-  out.note = found.value || !result ? found.note : "the run did not reach this result";
+  out.note = found.value || !found.note.empty() ? found.note : "the run did not reach this result";
   // A difference equal to the tolerance passes, regardless of rounding in the last digit.
   out.passes = found.value && std::abs(*found.value - out.published) <= out.tolerance * (1 + 1e-12);
   return out;
@@ -117,7 +117,9 @@ Found find_in_run(const results::RunResult& run, const std::string& name) {
     results::CurveValue at = results::find_displacement(run, *factor);
     return {at.displacement, std::move(at.note)};
   }
-  return {results::find_value(run, name), ""};
+  const auto value = results::find_named(run, name);
+  if (!value || value->is_determined()) return {value ? std::optional(value->value) : std::nullopt, ""};
+  return {std::nullopt, results::explain_undetermined(*value)};
 }
 
 }  // namespace
@@ -128,9 +130,12 @@ std::optional<double> find_result(const results::RunResult& run, const std::stri
 
 std::vector<results::NamedResult> list_results(const input::Case& data, const results::RunResult& run) {
   std::vector<results::NamedResult> list;
-  for (const results::NamedValue& result : input::list_result_names(data))
-    if (const auto value = find_result(run, result.name))
-      list.push_back({result.name, result.title, *value, find_unit(result.unit, data.output)});
+  for (const results::NamedValue& result : input::list_result_names(data)) {
+    const Found found = find_in_run(run, result.name);
+    if (!found.value && found.note.empty()) continue;
+    const auto why = found.value ? std::nullopt : std::optional(found.note);
+    list.push_back({result.name, result.title, found.value, find_unit(result.unit, data.output), why});
+  }
   return list;
 }
 

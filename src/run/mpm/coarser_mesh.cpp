@@ -40,8 +40,15 @@ input::Case coarsen(input::Case data) {
 bool add(const results::Runout& there, double size, results::Runout& here) {
   if (here.moved_volume <= 0) return true;
   if (there.moved_volume > 0 && there.direction != here.direction) return false;
-  here.coarser_mesh = {
-      size, there.front_advance, there.toe_distance, there.crest_retreat, there.moved_volume, there.highest_ground};
+  here.coarser_mesh = {size,
+                       there.front_advance,
+                       there.toe_distance,
+                       there.crest_retreat,
+                       there.moved_volume,
+                       there.highest_ground,
+                       there.deposit_volume};
+  if (auto keys = results::RunoutEstimates(here).list_undetermined(); !keys.empty())
+    here.undetermined = std::move(keys);
   return true;
 }
 

@@ -114,7 +114,8 @@ PreparedPoints<D> prepare_points(const input::LoadedCase& loaded, const input::C
   origin.reset();  // frees as much memory as the body takes
   warn_about_steps(data, made);
   made.profile_bin = mesh::measure_quality(made.body.mesh()).mean_size;
-  made.runout_start = {find_profile(made.body, made.profile_bin), find_onset_threshold(data.output, made.slope_height)};
+  made.runout_start = {find_profile(made.body, made.profile_bin), find_onset_threshold(data.output, made.slope_height),
+                       find_specific_volumes(made.body)};
   return_freed_memory();
   return made;
 }

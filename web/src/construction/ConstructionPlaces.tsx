@@ -7,7 +7,7 @@ import { Chart } from "../charts/base/Chart";
 import { Legend } from "../charts/base/Legend";
 import { styleOf } from "../charts/base/styles";
 import type { Unit } from "../contract";
-import type { Construction, ConstructionMonitor, ConstructionSupport } from "../contract/results";
+import type { Construction, ConstructionMonitor, ConstructionSupport, Release } from "../contract/results";
 import { ChartTable } from "../page/DataTable";
 import { formatNumber, formatQuantity } from "../page/format";
 import { report } from "../state";
@@ -21,6 +21,10 @@ interface TimeProps {
   ends: number[];
   isWet: boolean;
 }
+
+/** The distance beyond the toe where MPM ended, unless its two meshes leave it open. */
+const formatRunout = ({ error, undetermined, toe_distance }: Release, unit: Unit) =>
+  error ? "–" : undetermined?.includes("toe_distance") ? "not determined" : formatQuantity(toe_distance, unit, 3);
 
 type Measured = { time: number[]; value: number[]; rms?: number | null } | null | undefined;
 
@@ -246,7 +250,7 @@ export function SupportsOfStages({ construction }: { construction: Construction 
           columns={[
             ["Stage", (s) => s.stage, "name"],
             ["Largest displacement", (s) => (s.release.error ? "–" : formatQuantity(s.release.largest_displacement, units.length, 3)), "number"],
-            ["Runout beyond the toe", (s) => (s.release.error ? "–" : formatQuantity(s.release.toe_distance, units.length, 3)), "number"],
+            ["Runout beyond the toe", (s) => formatRunout(s.release, units.length), "number"],
             ["Results", (s) => s.release.error ?? s.release.folder],
           ]}
         />

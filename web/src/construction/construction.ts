@@ -55,7 +55,7 @@ export function keepFurthestOfStages(results: ShownResult[]): ShownResult[] {
   const furthest = new Map<string, ShownResult>();
   for (const result of results.filter(ofStage)) {
     const known = furthest.get(result.quantity);
-    if (!known || Math.abs(result.value) > Math.abs(known.value)) furthest.set(result.quantity, result);
+    if (!known || Math.abs(result.value ?? 0) > Math.abs(known.value ?? 0)) furthest.set(result.quantity, result);
   }
   return results.filter((result) => !ofStage(result) || furthest.get(result.quantity) === result);
 }

@@ -37,9 +37,10 @@ export interface Factor {
 export interface ShownResult {
   name: string;
   title: string;
-  value: number;
+  /** Null where it is not determined; `text` then says why. */
+  value: number | null;
   unit: Unit;
-  /** With its unit and what the mesh leaves open, "1.3 ± 0.4 m", where that is known. */
+  /** With its unit and what the mesh leaves open, "1.3 ± 0.4 m", where that is known; "not determined (…)". */
   text?: string;
   kind:
     | "factor"

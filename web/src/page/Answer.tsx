@@ -202,7 +202,10 @@ function Results({ results, large }: { results: ShownResult[]; large: boolean })
       {results.map((result) => (
         <div key={result.name}>
           <dt>{result.title}</dt>
-          <dd>{result.text ?? formatQuantity(result.value, result.unit, 3, true)}</dd>
+          <dd>
+            {result.text ??
+              (result.value === null ? "not determined" : formatQuantity(result.value, result.unit, 3, true))}
+          </dd>
         </div>
       ))}
     </dl>

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "input/case/case.hpp"
 #include "mpm/state/body.hpp"
@@ -11,7 +12,8 @@
 
 namespace talus::run {
 
-/// Returns the ground profile from the points: in each bin the highest point plus half the size of its volume.
+/// Returns the ground profile from the points: in each bin the highest point plus half the size of its volume. The bins
+/// divide the box evenly and are about `bin` [m] wide.
 template <int D>
 results::Profile find_profile(const mpm::Body<D>& body, double bin);
 
@@ -20,14 +22,20 @@ results::Profile find_profile(const mpm::Body<D>& body, double bin);
 template <int D>
 double find_slope_height(const mpm::Body<D>& body, const input::Gravity& gravity);
 
-/// The reference state of a runout.
+/// The start of a runout.
 struct RunoutStart {
-  results::Profile initial;  ///< the ground at the start
+  results::Profile initial;  ///< the ground at the start of the calculation; its bins are those of the measures
   double threshold = 0;      ///< points with a smaller displacement count as not moved [m]
+  /// Volume over mass at the start, by material [m³/kg]; empty: volumes are those of the points now.
+  std::vector<double> specific_volumes = {};
 };
 
+/// Returns the volume over the mass of the points of each material [m³/kg]; 0 for a material without points.
+template <int D>
+std::vector<double> find_specific_volumes(const mpm::Body<D>& body);
+
 /// Compares the body, along x and y whatever the direction of gravity, with its reference positions
-/// (mpm::reset_displacements).
+/// (mpm::reset_displacements), which also give the old ground (docs/theory/10-runout.md).
 template <int D>
 results::Runout find_runout(const mpm::Body<D>& body, const RunoutStart& from);
 

@@ -94,7 +94,7 @@ CurveResult compute_curve(const mpm::Body<D>& state, const TrialContext& context
     if (runs_out) {
       mpm::Body<D> start = state;
       mpm::reset_displacements(start);
-      runout_start = {find_profile(start, bin), moved_fraction * slope_height};
+      runout_start = {find_profile(start, bin), moved_fraction * slope_height, find_specific_volumes(start)};
       files.runout_start = &runout_start;
       legs.push_back(legs[0]);
       legs[1].name = fmt::format("runout SRF {:g}", factor);

@@ -71,12 +71,12 @@ export const factor = {
   }],
   runout: ["Runout", () => prose`
     The runout was computed on moving geometry, and compares the soil at the end with the state from which displacements
-    are counted. Soil counts as moved where its displacement exceeds 1 % of $H$, the height of the slope. The front is
-    the coordinate behind which 99 % of the moved mass lies:
-    $$\text{advance}=Q_{0.99}\bigl(s_p\bigr)-Q_{0.99}\bigl(s_p^{\,0}\bigr),\qquad V=\sum_{p\,:\,|\mathbf
-    u_p|>0.01H}V_p$$
-    advance = Q99(s_p) − Q99(s_p at the start),  V = Σ V_p over points with |u_p| > 0.01 H $$
-    with $Q_{0.99}$ the 99 % quantile by mass of the positions $s_p$ of the moved points along the direction of motion.
-    The retreat of the crest is how far behind the crest the rearmost moved point began. The results say whether the
-    soil had come to rest when the calculation ended.`],
+    are counted. Soil counts as moved where its displacement exceeds 1 % of $H$, the height of the slope. Its deposit is
+    what began behind the toe and lies over the old ground. With $t(s)$ the mean thickness of the deposit over an element
+    of size $h$, the front is the farthest place $s$ along the direction of motion where it is thick enough:
+    $$s_f=\max\{s:t(s)\ge\max(H/20,\,h/4)\},\qquad V=\sum_{p\,:\,|\mathbf u_p|>0.01H}V_p$$
+    s_f = max { s : t(s) ≥ max(H/20, h/4) },  V = Σ V_p over points with |u_p| > 0.01 H $$
+    The retreat of the crest is how far behind the crest the ground sank by as much. A measure whose uncertainty from two
+    meshes exceeds half of it, and an element, is not determined. The results say whether the soil had come to rest when
+    the calculation ended.`],
 } satisfies MethodTexts;

@@ -53,7 +53,7 @@ export type RunEvent =
 /** Results of a finished run. */
 export interface RunResults {
   title: string;
-  values: { name: string; title: string; unit: string; value: number | null }[];
+  values: { name: string; title: string; unit: string; value: number | string | null }[];
   /** Points in [m]. */
   surfaces: { name: string; title: string; method: string; factor: number | null; points: Point[] }[];
   warnings: string[];
@@ -65,8 +65,9 @@ export interface RunComparison {
     name: string;
     title: string;
     unit: string;
-    first: number | null;
-    second: number | null;
+    /** "not determined" where the meshes of a runout leave it open. */
+    first: number | string | null;
+    second: number | string | null;
     difference: number | null;
     /** Of the first value. */
     relative: number | null;

@@ -13,7 +13,8 @@ interface Props {
 }
 
 const sentence = (error: unknown) => (error instanceof Error ? error.message : String(error));
-const show = (value: number | null) => (value === null ? "–" : Number(value.toPrecision(5)).toString().replace("-", "−"));
+const show = (value: number | string | null) =>
+  value === null ? "–" : typeof value === "string" ? value : Number(value.toPrecision(5)).toString().replace("-", "−");
 const showText = (value: string | null) => (value === null ? "–" : value === "" ? "none" : value);
 
 function showPercent(relative: number | null): string {
