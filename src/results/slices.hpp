@@ -77,10 +77,21 @@ struct DrawnSurface {
 void describe(Visitor& v, DrawnSurface& r);
 
 /// Limit that governs the force of a support.
-enum class SupportLimit { tension, pull_out, stripping, prestress, lateral, shear };
+enum class SupportLimit {
+  tension,
+  pull_out,
+  stripping,
+  prestress,
+  lateral,
+  shear,
+  embedment,
+  rotation,
+  one_hinge,
+  two_hinges
+};
 template <>
-inline constexpr auto words<SupportLimit> =
-    std::array{"tension", "pull_out", "stripping", "prestress", "lateral", "shear"};
+inline constexpr auto words<SupportLimit> = std::array{"tension", "pull_out",  "stripping", "prestress", "lateral",
+                                                       "shear",   "embedment", "rotation",  "one_hinge", "two_hinges"};
 
 /// Force of a support where a surface crosses it, per metre of slope.
 struct SupportForce {

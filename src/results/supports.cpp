@@ -48,6 +48,14 @@ const char* get_title(SupportLimit limit) {
       return "lateral resistance";
     case SupportLimit::shear:
       return "shear strength";
+    case SupportLimit::embedment:
+      return "embedment: the pile moves through the stable soil";
+    case SupportLimit::rotation:
+      return "embedment: the pile rotates";
+    case SupportLimit::one_hinge:
+      return "plastic moment: one hinge";
+    case SupportLimit::two_hinges:
+      return "plastic moment: two hinges";
   }
   return "";
 }

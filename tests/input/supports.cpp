@@ -400,11 +400,6 @@ TEST(Supports, WhatLemTakesOtherwiseBringsAWarning) {
   EXPECT_EQ(count(anchor + "prestress = 100\n"), 0u);
   EXPECT_EQ(count(anchor + "prestress = 0\n"), 1u);
   EXPECT_EQ(count(anchor + "prestress = 0\nsense = \"passive\"\n"), 0u);
-  const std::string pile =
-      "[support.row]\nkind = \"pile\"\nx = [40]\nlength = 8\nout_of_plane_spacing = 2\n"
-      "lateral_resistance = 50\n";
-  EXPECT_EQ(count(pile), 0u);
-  EXPECT_EQ(count(pile + "plastic_moment = 100\n"), 1u);
 }
 
 }  // namespace

@@ -73,7 +73,8 @@ void describe_pull_out(Visitor& v, Support& s) {
             .usual(0.01, 3, {{"mm", 1e-3}})
             .allowed_with("kind", s.kind, {K::nail, K::anchor, K::pile})
             .example("0.1"),
-        "Diameter of the grout, on which adhesion and friction act, or of a pile.");
+        "Diameter of the grout, on which adhesion and friction act, or of a pile. A row of piles without it holds on "
+        "to the stable soil of LEM as a wall does.");
   v.key("free_length", s.free_length, quantity("m").at_least(0).allowed_with("kind", s.kind, K::anchor).example("10"),
         "Length behind the head without bond. An anchor needs this or `bond_length`.");
   v.key("bond_length", s.bond_length, quantity("m").above(0).allowed_with("kind", s.kind, K::anchor).example("6"),
@@ -139,7 +140,8 @@ void describe(Visitor& v, Support& s) {
         "Where the force of a pile on the sliding soil comes from.");
   v.key("lateral_resistance", s.lateral_resistance,
         quantity("kN").above(0).allowed_with("kind", s.kind, K::pile).example("50"),
-        "Force of one pile on the sliding soil, with lateral_law = \"given\".");
+        "Largest force of one pile on the sliding soil, with lateral_law = \"given\"; its embedment and its plastic "
+        "moment limit it too.");
   v.key("shear_strength", s.shear_strength,
         quantity("kN").above(0).allowed_with("kind", s.kind, {K::pile, K::wall}).example("300"),
         "Shear strength of one pile or of a metre of wall, an upper limit of its force.");
@@ -160,7 +162,8 @@ void describe(Visitor& v, Support& s) {
         "E I of one bar or of a metre of wall, for FEM.");
   v.key("plastic_moment", s.plastic_moment,
         quantity("kN.m").above(0).allowed_with("kind", s.kind, {K::nail, K::pile, K::wall}).example("150"),
-        "Plastic moment M_p of one bar or of a metre of wall, for FEM; that of walls for limit analysis too.");
+        "Plastic moment M_p of one bar or of a metre of wall, for FEM; that of piles for LEM too, that of walls for "
+        "limit analysis.");
   v.key("rupture_strain", s.rupture_strain,
         plain()
             .above(0)

@@ -13,7 +13,7 @@ namespace talus::input {
 
 namespace {
 
-/// Warns of a prestress of zero, next to which LEM jumps, and of plastic moments that LEM leaves out.
+/// Warns of a prestress of zero, next to which LEM jumps.
 void warn_of_lem(const Case& data, Findings& findings) {
   if (!uses(data, Method::lem)) return;
   for (const auto& [name, support] : data.supports) {
@@ -22,11 +22,6 @@ void warn_of_lem(const Case& data, Findings& findings) {
       findings.warn(path + ".prestress",
                     "support '{}' is active without prestress: in LEM it pulls with its full resistance, and with a "
                     "prestress of 1 kN with 1 kN. For a bar that the slide has to stretch give sense = \"passive\"",
-                    name);
-    if (support.kind == SupportKind::pile && support.plastic_moment)
-      findings.warn(path + ".plastic_moment",
-                    "LEM does not limit the force of support '{}' by 'plastic_moment', but by its lateral resistance "
-                    "and 'shear_strength'; FEM has a hinge at it",
                     name);
   }
 }

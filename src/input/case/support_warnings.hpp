@@ -7,8 +7,7 @@ namespace talus::input {
 struct Case;
 class Findings;
 
-/// Warns of bars that cross in the section, of an active bar with `prestress = 0`, and of a `plastic_moment` of piles,
-/// which LEM leaves out.
+/// Warns of bars that cross in the section, and of an active bar with `prestress = 0`.
 void warn_of_supports(const Case& data, Findings& findings);
 
 }  // namespace talus::input

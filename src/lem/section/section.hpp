@@ -117,15 +117,17 @@ struct Bar {
   int row = 1;
   Point head{}, end{};  ///< [m]
   BarHold hold = BarHold::bond;
-  double free_length = 0;                                  ///< from the head, without bond [m]
-  double tensile = 0;                                      ///< [N/m]
-  double plate = 0;                                        ///< at the head [N/m]
-  double bond = 0;                                         ///< pull-out per metre of bar [N/m per m]
-  double bond_factor = 0;                                  ///< its increase with σ'_v [N/m per m per Pa]
-  double prestress = 0;                                    ///< of an active bar; 0: it pulls with its resistance [N/m]
-  double lateral = 0;                                      ///< of BarHold::across [N/m]
-  double shear = std::numeric_limits<double>::infinity();  ///< limit of forces across the bar [N/m]
-  double diameter = 0, spacing = 1;                        ///< of piles [m]
+  double free_length = 0;                                   ///< from the head, without bond [m]
+  double tensile = 0;                                       ///< [N/m]
+  double plate = 0;                                         ///< at the head [N/m]
+  double bond = 0;                                          ///< pull-out per metre of bar [N/m per m]
+  double bond_factor = 0;                                   ///< its increase with σ'_v [N/m per m per Pa]
+  double prestress = 0;                                     ///< of an active bar, where it would be slack [N/m]
+  double lateral = 0;                                       ///< largest of BarHold::across [N/m]
+  double shear = std::numeric_limits<double>::infinity();   ///< limit of forces across the bar [N/m]
+  double diameter = 0, spacing = 1;                         ///< of piles [m]
+  bool is_pile = false;                                     ///< the soil on both sides of a surface limits its force
+  double moment = std::numeric_limits<double>::infinity();  ///< plastic moment of a pile [N m/m]
   bool is_active = false;  ///< a load, which the factor does not divide; else a resistance, which it divides
   BarDirection direction = BarDirection::axial;
 };

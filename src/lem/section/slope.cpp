@@ -12,6 +12,7 @@
 #include "base/error.hpp"
 #include "base/numbers.hpp"
 #include "lem/section/bars.hpp"
+#include "lem/section/piles.hpp"
 #include "lem/section/strips.hpp"
 #include "mesh/planar.hpp"
 
@@ -28,7 +29,10 @@ Slope::Slope(Section section) : strips_(std::make_unique<Strips>()) {
   if (strips_->section.drawdown)
     strips_->before = std::make_unique<const Slope>(Section(*strips_->section.drawdown->before));
   build_strips(*strips_);
-  for (const Bar& bar : strips_->section.bars) strips_->bars.push_back(make_bar_diagram(*this, bar));
+  for (const Bar& bar : strips_->section.bars) {
+    strips_->bars.push_back(make_bar_diagram(*this, bar));
+    strips_->embedded.push_back(bar.is_pile ? make_embedded_diagram(*this, bar) : BarDiagram{});
+  }
   if (strips_->section.crack && strips_->section.crack->limited) strips_->crack_depths = compute_crack_depths(*this);
 }
 

@@ -58,6 +58,7 @@ struct Slope::Strips {
   std::unique_ptr<const Slope> before;  ///< the slope before drawdown
   std::vector<Point> crack_depths;      ///< of a crack of limited depth: x and depth [m]
   std::vector<BarDiagram> bars;         ///< of the bars of the section
+  std::vector<BarDiagram> embedded;     ///< of the piles among them, in stable soil
   double deepest_roots = 0;             ///< [m]
   bool roots = false, loads = false, firm = false, raised = false;
   bool laws = false, curved_laws = false;  ///< of the soils

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "lem/section/piles.hpp"
 #include "lem/slices/slices.hpp"
 
 namespace talus::lem {
@@ -135,11 +136,44 @@ void spread_force(const Bar& bar, const Point& axis, CutSurface& cut) {
   if (sum == 0) cut.parts.push_back({pull, own.slice, 1, own.direction});
 }
 
-void set_lateral(const Bar& bar, double pressed, BarPull& pull) {
-  pull.front = bar.hold == BarHold::across ? bar.lateral : pressed;
+BarLimit convert(PileMechanism mechanism) {
+  switch (mechanism) {
+    case PileMechanism::lateral:
+      return BarLimit::lateral;
+    case PileMechanism::shear:
+      return BarLimit::shear;
+    case PileMechanism::embedment:
+      return BarLimit::embedment;
+    case PileMechanism::rotation:
+      return BarLimit::rotation;
+    case PileMechanism::one_hinge:
+      return BarLimit::one_hinge;
+    case PileMechanism::two_hinges:
+      break;
+  }
+  return BarLimit::two_hinges;
+}
+
+/// Sets the force of a bar across it at `s`, with its end in the mass and the other one in stable soil.
+void set_lateral(const Slope& slope, double s, double in_mass, double in_stable, BarPull& pull) {
+  const auto number = static_cast<std::size_t>(pull.bar);
+  const Bar& bar = slope.section().bars[number];
+  const bool is_given = bar.hold == BarHold::across;
   pull.behind = bar.shear;
-  pull.resistance = std::min(pull.front, pull.behind);
-  pull.limit = pull.behind < pull.front ? BarLimit::shear : BarLimit::lateral;
+  if (!bar.is_pile) {
+    pull.front = is_given ? bar.lateral : std::abs(slope.strips().bars[number].find_part(s, in_mass));
+    pull.resistance = std::min(pull.front, pull.behind);
+    pull.limit = pull.behind < pull.front ? BarLimit::shear : BarLimit::lateral;
+    return;
+  }
+  const BarDiagram &embedded = slope.strips().embedded[number],
+                   &pressing = is_given ? embedded : slope.strips().bars[number];
+  const PileSide mass{&pressing, s, in_mass}, stable{&embedded, s, in_stable};
+  const double given = is_given ? bar.lateral : std::numeric_limits<double>::infinity();
+  pull.front = std::min(given, mass.compute_strength());
+  const PileForce found = compute_pile_force(mass, stable, {bar.moment, bar.shear, given});
+  pull.resistance = found.force;
+  pull.limit = convert(found.mechanism);
 }
 
 }  // namespace
@@ -175,7 +209,7 @@ void cross_bars(const Slope& slope, CutSurface& cut) {
       BarPull pull{static_cast<int>(b), crossings[k].slice, find_point(s), s, 0, {}, 0, 0, BarLimit::tension};
       pull.direction = find_direction(bar.direction, axis, sliding);
       if (is_across) {
-        set_lateral(bar, is_head_in ? diagram.find_part(before, s) : diagram.find_part(s, after), pull);
+        set_lateral(slope, s, is_head_in ? before : after, is_head_in ? after : before, pull);
       } else {
         const bool has_anchor = bar.hold == BarHold::end_anchor;
         const double head_part = diagram.find_part(before, s) + (k > 0 ? 0 : has_anchor ? infinity : bar.plate);

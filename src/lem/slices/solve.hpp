@@ -97,7 +97,18 @@ struct BaseStrength {
 };
 
 /// Limit that governs the force of a bar.
-enum class BarLimit { tension, pull_out, stripping, prestress, lateral, shear };
+enum class BarLimit {
+  tension,
+  pull_out,
+  stripping,
+  prestress,
+  lateral,
+  shear,
+  embedment,
+  rotation,
+  one_hinge,
+  two_hinges
+};
 
 /// A bar that the base of a mass crosses, and its force there.
 struct BarPull {

@@ -366,10 +366,9 @@ lem::BarDirection convert(input::SupportDirection direction) {
 
 /// Returns the weight of a wall as a load on the ground above it, over 1e-3 of the width of the section at least.
 lem::Surcharge make_weight(const site::Bar& wall, const lem::Section& section) {
-  constexpr double narrowest = 1e-3;
   const double middle = 0.5 * (wall.head[0] + wall.end[0]),
                width = std::max(std::abs(wall.head[0] - wall.end[0]),
-                                narrowest * (section.ground.back()[0] - section.ground.front()[0])),
+                                1e-3 * (section.ground.back()[0] - section.ground.front()[0])),
                pressure = wall.weight * wall.length() / width;
   return {{{middle - width / 2, pressure, 0}, {middle + width / 2, pressure, 0}}};
 }
@@ -383,10 +382,10 @@ void add_bars(const site::Site& site, lem::Section& section) {
     made.head = bar.head;
     made.end = bar.end;
     if (bar.kind == input::SupportKind::bolt) made.hold = lem::BarHold::end_anchor;
-    if (bar.kind == input::SupportKind::pile)
-      made.hold = bar.has_soil_pressure ? lem::BarHold::soil_pressure : lem::BarHold::across;
+    made.is_pile = bar.kind == input::SupportKind::pile;
     // A wall that surfaces do not cross has no force; its toe is a seed of the search.
-    if (bar.kind == input::SupportKind::wall) made.hold = lem::BarHold::across;
+    if (made.is_pile || bar.kind == input::SupportKind::wall)
+      made.hold = bar.has_soil_pressure ? lem::BarHold::soil_pressure : lem::BarHold::across;
     made.free_length = bar.free_length;
     made.tensile = bar.tensile;
     made.plate = bar.plate;
@@ -398,6 +397,7 @@ void add_bars(const site::Site& site, lem::Section& section) {
     if (bar.weight > 0) section.surcharges.push_back(make_weight(bar, section));
     made.diameter = bar.diameter;
     made.spacing = bar.spacing;
+    if (bar.moment > 0) made.moment = bar.moment;
     made.is_active = bar.is_active;
     made.direction = convert(bar.direction);
     section.bars.push_back(std::move(made));

@@ -44,7 +44,9 @@ results::SliceTable make_slice_table(const lem::Slope& slope, const lem::CutSurf
 std::vector<results::SupportForce> list_supports(const lem::Slope& slope, const lem::Critical& c) {
   constexpr std::array limits{results::SupportLimit::tension,   results::SupportLimit::pull_out,
                               results::SupportLimit::stripping, results::SupportLimit::prestress,
-                              results::SupportLimit::lateral,   results::SupportLimit::shear};
+                              results::SupportLimit::lateral,   results::SupportLimit::shear,
+                              results::SupportLimit::embedment, results::SupportLimit::rotation,
+                              results::SupportLimit::one_hinge, results::SupportLimit::two_hinges};
   std::vector<results::SupportForce> list;
   // F of the equations, without Janbu's correction.
   const double factor = c.solution.factor / c.solution.correction;

@@ -15,6 +15,10 @@ const limits: Record<SupportForce["limit"], string> = {
   prestress: "prestress",
   lateral: "lateral resistance",
   shear: "shear strength",
+  embedment: "embedment: the pile moves through the stable soil",
+  rotation: "embedment: the pile rotates",
+  one_hinge: "plastic moment: one hinge",
+  two_hinges: "plastic moment: two hinges",
 };
 
 const kilo = (force: number | null) => (force === null ? "–" : formatNumber(force / 1e3, 4));
