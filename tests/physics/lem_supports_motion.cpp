@@ -133,6 +133,44 @@ std::vector<Surface> draw_surfaces(const Slope& slope) {
   return surfaces;
 }
 
+/// Vertical piles through the cut, with forces in a direction.
+Section make_piled_cut(BarDirection direction, bool is_active, double friction) {
+  Section section = make_nailed_cut(0.1, friction > 0 ? 10 : 40, friction);
+  for (const double x : {-6.0, -3.0, -1.0, 1.5}) {
+    Bar& pile = section.bars.emplace_back();
+    pile.head = {x, x < 0 ? 9 : 9 - 4 * x}, pile.end = {x + 0.5, -6};
+    pile.hold = BarHold::across, pile.direction = direction, pile.lateral = 60, pile.is_active = is_active;
+  }
+  return section;
+}
+
+/// A force along a pile presses the mass on its base, where the base is steep down the slope too.
+TEST(LemSupportsMotion, AxialPilesNeverLowerAFactor) {
+  int compared = 0, slack = 0;
+  for (const double friction : {0.0, 35.0}) {
+    const Slope bare(make_nailed_cut(0.1, friction > 0 ? 10 : 40, friction));
+    for (const BarDirection direction : {BarDirection::axial, BarDirection::bisector})
+      for (const bool is_active : {false, true}) {
+        const Slope piled(make_piled_cut(direction, is_active, friction));
+        for (const Surface& surface : draw_surfaces(bare))
+          for (const Method method : {Method::fellenius, Method::bishop, Method::janbu, Method::corps_1,
+                                      Method::lowe_karafiath, Method::spencer, Method::morgenstern_price}) {
+            if (!surface.circle && method == Method::bishop) continue;
+            CutSurface plain = cut_surface(bare, surface, 30, report_only()),
+                       cut = cut_surface(piled, surface, 30, report_only());
+            const double without = solve(bare, plain, method, report_only(), false).factor,
+                         factor = solve(piled, cut, method, report_only(), false).factor;
+            if (!(without > 0) || !(factor > 0)) continue;
+            EXPECT_GE(factor, without * (1 - 1e-8)) << to_word(method) << (is_active ? ", active" : ", passive");
+            ++compared;
+            slack += std::any_of(cut.pulls.begin(), cut.pulls.end(), [](const BarPull& pull) { return pull.is_slack; });
+          }
+      }
+  }
+  EXPECT_GT(compared, 2000);
+  EXPECT_GT(slack, 200);
+}
+
 TEST(LemSupportsMotion, LongerNailsNeverLowerAFactor) {
   int compared = 0, slack = 0;
   for (const double friction : {0.0, 15.0, 35.0}) {
