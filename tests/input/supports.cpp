@@ -389,18 +389,5 @@ TEST(Supports, CrossingBarsBringAWarning) {
   EXPECT_NE(loaded.warnings[0].sentence.find("crosses that of"), std::string::npos) << loaded.warnings[0].sentence;
 }
 
-TEST(Supports, WhatLemTakesOtherwiseBringsAWarning) {
-  const auto count = [](const std::string& support) {
-    return read_case_text(slices_alone + support, "slope.toml").warnings.size();
-  };
-  const std::string anchor =
-      "[support.tie]\nkind = \"anchor\"\nheads = [[48, 34]]\ninclination = 15\nlength = 12\nbond_length = 4\n"
-      "out_of_plane_spacing = 2\ntensile_strength = 400\nplate = 300\nbond = 60\n";
-  EXPECT_EQ(count(anchor), 0u);
-  EXPECT_EQ(count(anchor + "prestress = 100\n"), 0u);
-  EXPECT_EQ(count(anchor + "prestress = 0\n"), 1u);
-  EXPECT_EQ(count(anchor + "prestress = 0\nsense = \"passive\"\n"), 0u);
-}
-
 }  // namespace
 }  // namespace talus::input

@@ -157,11 +157,15 @@ TEST(LemSupports, TensionPullOutAndStripping) {
   pulls = find_pulls(section, wedge.surface());
   EXPECT_NEAR(pulls[0].behind, 20, 1e-9);
   EXPECT_NEAR(pulls[0].front, 30, 1e-9);
-  // Prestress of an active bar limits its force.
-  section.bars[0].prestress = 12, section.bars[0].is_active = true;
-  pulls = find_pulls(section, wedge.surface());
-  EXPECT_EQ(pulls[0].limit, BarLimit::prestress);
-  EXPECT_DOUBLE_EQ(pulls[0].resistance, 12);
+  // The mass stretches a prestressed bar to its resistance.
+  section.bars[0].is_active = true;
+  for (const double prestress : {0.0, 12.0, 500.0}) {
+    section.bars[0].prestress = prestress;
+    pulls = find_pulls(section, wedge.surface());
+    EXPECT_EQ(pulls[0].limit, BarLimit::pull_out);
+    EXPECT_DOUBLE_EQ(pulls[0].force(), 20);
+    EXPECT_DOUBLE_EQ(pulls[0].prestress, std::min(prestress, 20.0));
+  }
 }
 
 TEST(LemSupports, BarThatEndsInFrontOfTheSurfaceHasNoForce) {

@@ -90,7 +90,7 @@ TEST(LemSupportsMotion, AMillimetreDoesNotRemoveAnAnchor) {
   Bar& anchor = section.bars.emplace_back();
   anchor.head = {12.5, 7.75};
   anchor.end = {12.5 - 12 * std::cos(15 * degree), 7.75 - 12 * std::sin(15 * degree)};
-  anchor.tensile = 250, anchor.plate = 225, anchor.bond = 50, anchor.prestress = 50, anchor.free_length = 7;
+  anchor.tensile = 50, anchor.plate = 225, anchor.bond = 50, anchor.prestress = 50, anchor.free_length = 7;
   anchor.is_active = true;
   const Slope slope(section);
   const auto solve_moved = [&](double x, double y) {
@@ -131,6 +131,31 @@ std::vector<Surface> draw_surfaces(const Slope& slope) {
       if (to - from > 1) surfaces.push_back(make_arc(circle.centre, circle.radius, from, to));
   }
   return surfaces;
+}
+
+/// A prestress acts alone only where the bar would be slack: the factor has no jump at 0, falls there with the
+/// prestress and is elsewhere the same.
+TEST(LemSupportsMotion, TheFactorIsContinuousInThePrestress) {
+  int slack = 0, compared = 0;
+  const Slope bare(make_nailed_cut(0.1));
+  const std::vector<Surface> surfaces = draw_surfaces(bare);
+  for (const Surface& surface : surfaces) {
+    const auto find = [&](double prestress) {
+      Section section = make_nailed_cut(12);
+      for (Bar& bar : section.bars) bar.is_active = true, bar.prestress = prestress;
+      return find_factor(Slope(std::move(section)), surface, Method::janbu);
+    };
+    const double without = find(0), small = find(1e-6), half = find(20), full = find(200);
+    if (!(without > 0)) continue;
+    EXPECT_NEAR(small, without, 1e-6 * without);
+    EXPECT_LE(half, without * (1 + 1e-9));
+    EXPECT_LE(full, half * (1 + 1e-9));
+    ++compared;
+    slack += full < without * (1 - 1e-6);
+  }
+  EXPECT_GT(compared, 40);
+  EXPECT_GT(slack, 2);
+  EXPECT_LT(slack, compared);
 }
 
 /// Vertical piles through the cut, with forces in a direction.

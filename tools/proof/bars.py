@@ -45,9 +45,6 @@ class Bar:
         else:
             around = math.pi * (get(support, "diameter") or 0) / spacing
             tensile, plate = get(support, "tensile_strength") / spacing, get(support, "plate") / spacing
-        prestress = (get(support, "prestress") or 0) / spacing
-        if self.is_active and prestress > 0:
-            tensile = min(tensile, prestress)
         if get(support, "bond") is not None:
             bond = np.full(len(s), get(support, "bond") / spacing)
         else:

@@ -80,8 +80,8 @@ void describe_pull_out(Visitor& v, Support& s) {
   v.key("bond_length", s.bond_length, quantity("m").above(0).allowed_with("kind", s.kind, K::anchor).example("6"),
         "Grouted length at the end of an anchor.");
   v.key("prestress", s.prestress, quantity("kN").at_least(0).allowed_with("kind", s.kind, {K::anchor, K::bolt}),
-        "Force after locking off. Above 0, an active bar pulls with this force in LEM, as far as its resistances "
-        "allow; at 0 with the full resistance.");
+        "Force after locking off. In LEM an active bar has at least this force, also where it drives the mass; a "
+        "mass that moves stretches it to its resistance.");
   v.key("strength", s.strength, quantity("kN/m").above(0).needed_with("kind", s.kind, K::geosynthetic).example("40"),
         "Tensile strength of a geosynthetic per metre of its width.");
   v.key("connection", s.connection,

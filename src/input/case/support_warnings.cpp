@@ -13,19 +13,6 @@ namespace talus::input {
 
 namespace {
 
-/// Warns of a prestress of zero, next to which LEM jumps.
-void warn_of_lem(const Case& data, Findings& findings) {
-  if (!uses(data, Method::lem)) return;
-  for (const auto& [name, support] : data.supports) {
-    const std::string path = "support." + name;
-    if (support.is_active() && support.prestress == 0 && findings.places.is_given(path + ".prestress"))
-      findings.warn(path + ".prestress",
-                    "support '{}' is active without prestress: in LEM it pulls with its full resistance, and with a "
-                    "prestress of 1 kN with 1 kN. For a bar that the slide has to stretch give sense = \"passive\"",
-                    name);
-  }
-}
-
 /// Warns of bars that cross: in the section they share a place, which bars side by side may do.
 void warn_of_crossings(const Case& data, Findings& findings) {
   std::vector<std::pair<const std::string*, BarLine>> bars;
@@ -49,7 +36,6 @@ void warn_of_crossings(const Case& data, Findings& findings) {
 }  // namespace
 
 void warn_of_supports(const Case& data, Findings& findings) {
-  if (findings.is_sound("support") && findings.is_sound("analysis.methods")) warn_of_lem(data, findings);
   if (findings.is_sound("support") && findings.is_sound("geometry") && data.mesh.dimension == 2 &&
       !data.mesh.polygons.empty())
     warn_of_crossings(data, findings);

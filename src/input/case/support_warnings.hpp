@@ -7,7 +7,7 @@ namespace talus::input {
 struct Case;
 class Findings;
 
-/// Warns of bars that cross in the section, and of an active bar with `prestress = 0`.
+/// Warns of bars that cross in the section.
 void warn_of_supports(const Case& data, Findings& findings);
 
 }  // namespace talus::input

@@ -107,8 +107,7 @@ void set_tension(const Bar& bar, BarPull& pull) {
   pull.limit = BarLimit::tension;
   if (pull.behind < pull.resistance) pull.resistance = pull.behind, pull.limit = BarLimit::pull_out;
   if (pull.front < pull.resistance) pull.resistance = pull.front, pull.limit = BarLimit::stripping;
-  if (bar.is_active && bar.prestress > 0 && bar.prestress < pull.resistance)
-    pull.resistance = bar.prestress, pull.limit = BarLimit::prestress;
+  if (bar.is_active) pull.prestress = std::min(bar.prestress, pull.resistance);
 }
 
 /// Length of the base over which the soil spreads the force of a bar, over the depth of the mass [-]. It lies above the
@@ -253,7 +252,7 @@ bool release_bars(const Slope& slope, CutSurface& cut, double factor) {
   for (std::size_t i = 0; i < cut.pulls.size(); ++i) {
     BarPull& pull = cut.pulls[i];
     const Bar& bar = slope.section().bars[static_cast<std::size_t>(pull.bar)];
-    if (pull.is_slack || pull.is_turned || (bar.is_active && bar.prestress > 0)) continue;
+    if (pull.is_slack || pull.is_turned) continue;
     double power = 0;
     for (const BarPart& part : cut.parts) {
       if (part.pull != static_cast<int>(i)) continue;

@@ -50,8 +50,8 @@ void Mass::add_bars(const Slope& slope, const CutSurface& cut) {
   const double way = cut.slides_left ? -1 : 1;
   for (const BarPart& part : cut.parts) {
     const BarPull& pull = cut.pulls[static_cast<std::size_t>(part.pull)];
-    if (pull.is_slack) continue;
-    const double force = part.fraction * pull.resistance;
+    const double force = part.fraction * pull.force();
+    if (force == 0) continue;
     const double down = -force * part.direction[1], push = way * force * part.direction[0];
     const double about = way * (cut.moment_centre[0] - pull.at[0]) * down + (cut.moment_centre[1] - pull.at[1]) * push;
     const auto slice = static_cast<std::size_t>(part.slice);

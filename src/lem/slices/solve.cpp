@@ -383,9 +383,9 @@ void find_thrust_line(const Slope& slope, const CutSurface& cut, const Mass& mas
                    (slice.centroid - y) * horizontal * slice.weight;
     for (const BarPart& part : cut.parts) {
       const BarPull& pull = cut.pulls[static_cast<std::size_t>(part.pull)];
-      if (pull.is_slack || &cut.slices[static_cast<std::size_t>(part.slice)] != &slice) continue;
+      if (pull.force() == 0 || &cut.slices[static_cast<std::size_t>(part.slice)] != &slice) continue;
       const bool is_active = slope.section().bars[static_cast<std::size_t>(pull.bar)].is_active;
-      const double force = part.fraction * pull.resistance / (is_active ? 1 : factor);
+      const double force = part.fraction * pull.force() / (is_active ? 1 : factor);
       about +=
           way * force *
           ((pull.at[1] - y) * part.direction[0] - (pull.at[0] - 0.5 * (slice.left + slice.right)) * part.direction[1]);

@@ -121,9 +121,12 @@ struct BarPull {
   double behind = 0;      ///< resistance of the part in the soil that is stable [N/m]
   double front = 0;       ///< of the part in the mass, with the head [N/m]
   BarLimit limit = BarLimit::tension;
+  double prestress = 0;  ///< of an active bar, at most its resistance [N/m]
   // Set by a solution:
-  bool is_slack = false;   ///< the motion of the mass does not lengthen the bar: it has no force
+  bool is_slack = false;   ///< the motion of the mass does not lengthen the bar: it has its prestress alone
   bool is_turned = false;  ///< the force across the bar was turned to its other side
+
+  double force() const { return is_slack ? prestress : resistance; }  ///< [N/m]
 };
 
 /// The part of the force of a bar that acts on one slice. It is spread along a short part of the base, so that its

@@ -64,8 +64,8 @@ double WedgeMechanism::Interface::compute_power(double q, const Base::Motion& ab
 void WedgeMechanism::add_bar(const Slope& slope, const CutSurface& cut, const BarPart& part, const Slice& slice,
                              Base& base) const {
   const BarPull& pull = cut.pulls[static_cast<std::size_t>(part.pull)];
-  if (pull.is_slack || &cut.slices[static_cast<std::size_t>(part.slice)] != &slice) return;
-  const double force = part.fraction * pull.resistance;
+  if (pull.force() == 0 || &cut.slices[static_cast<std::size_t>(part.slice)] != &slice) return;
+  const double force = part.fraction * pull.force();
   const double down = -force * part.direction[1], push = way_ * force * part.direction[0];
   const bool is_active = slope.section().bars[static_cast<std::size_t>(pull.bar)].is_active;
   (is_active ? base.down : base.held.down) += down;

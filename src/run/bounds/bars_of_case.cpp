@@ -74,8 +74,7 @@ std::optional<site::Point> find_place(const site::Polyline& line, double along) 
 }  // namespace
 
 std::array<double, 3> BarsOfCase::Line::list_limits(double s) const {
-  const double strength = bar.is_active && bar.prestress > 0 ? std::min(bar.tensile, bar.prestress) : bar.tensile;
-  return {strength, bar.plate + diagram.find_part(0, s), diagram.find_part(s, length)};
+  return {bar.tensile, bar.plate + diagram.find_part(0, s), diagram.find_part(s, length)};
 }
 
 double BarsOfCase::Line::find_force(double s) const {

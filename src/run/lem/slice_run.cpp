@@ -51,7 +51,7 @@ std::vector<results::SupportForce> list_supports(const lem::Slope& slope, const 
   // F of the equations, without Janbu's correction.
   const double factor = c.solution.factor / c.solution.correction;
   for (const lem::BarPull& pull : c.cut.pulls) {
-    if (pull.is_slack) continue;
+    if (pull.force() == 0) continue;
     const lem::Bar& bar = slope.section().bars[static_cast<std::size_t>(pull.bar)];
     results::SupportForce& out = list.emplace_back();
     out.support = bar.name;
@@ -63,7 +63,7 @@ std::vector<results::SupportForce> list_supports(const lem::Slope& slope, const 
     out.crossing = pull.at;
     out.distance = pull.distance;
     out.resistance = pull.resistance;
-    out.force = pull.resistance;
+    out.force = pull.force();
     // Below F = 1 the equations have R/F, more than the bar can bear.
     if (!bar.is_active && factor > 0) {
       const double required = pull.resistance / factor;
@@ -79,7 +79,7 @@ std::vector<results::SupportForce> list_supports(const lem::Slope& slope, const 
       set(out.pull_out, pull.behind);
       set(out.stripping, pull.front);
     }
-    out.limit = limits[static_cast<std::size_t>(pull.limit)];
+    out.limit = pull.is_slack ? results::SupportLimit::prestress : limits[static_cast<std::size_t>(pull.limit)];
   }
   return list;
 }
