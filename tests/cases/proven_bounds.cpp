@@ -226,6 +226,20 @@ TEST_F(BoundsTest, BlockOnItsBedding) {
             std::string::npos);
 }
 
+/// MPM at frozen geometry on one coarse mesh: above the factor of a rigid block, whose slip one row of elements has.
+TEST_F(BoundsTest, BlockOnItsBeddingByMpm) {
+  const double exact = compute_block_factor(10 * std::sqrt(3.0));
+  const json summary = run(write_block("\"mpm\"",
+                                       "[mesh]\nsize = 3\n[[stage]]\nname = \"gravity\"\nduration = 10\n"
+                                       "until = \"rest\"\ndamping = 0.75\n[strength_reduction.curve]\n"
+                                       "enabled = false\n[strength_reduction.frozen]\nmeshes = 1\n"
+                                       "mesh_scatter = false\n"),
+                           {{"geometry.box", "[[0, 0], [35, 16]]"}, {"analysis.kind", "strength_reduction"}});
+  const double factor = summary.at("factor_of_safety").at("frozen").at("factor").get<double>();
+  EXPECT_GT(factor, exact);
+  EXPECT_LT(factor, 1.1 * exact);
+}
+
 /// Rock without tensile strength cracks, and the front of the block slides alone; without dilatancy as well.
 TEST_F(BoundsTest, CrackedBlockOnItsBedding) {
   double exact = compute_block_factor(17);

@@ -60,7 +60,7 @@ void warn_about_seepage(const std::optional<fem::SeepageResult<D>>& seepage, Pre
                     seepage->undecided));
 }
 
-/// Adds warnings of the device, the boundaries and bedding.
+/// Adds warnings of the device and the boundaries.
 template <int D>
 void warn_about_steps(const input::Case& data, PreparedPoints<D>& made) {
   if (const std::vector<std::string> left = list_left_to_processor(data); !left.empty())
@@ -70,10 +70,6 @@ void warn_about_steps(const input::Case& data, PreparedPoints<D>& made) {
                     fmt::join(left, ", ")));
   if (made.body.conditions.constraints.empty())
     made.warnings.push_back("no boundary holds the soil; without [[boundary]] it falls out of the box");
-  if (data.analysis == input::AnalysisKind::strength_reduction && has_bedding(data))
-    made.warnings.push_back(
-        "slip along bedding strains the soil beside it too, so that the factor by MPM is too high by more than its "
-        "interval (15 % for a block on its bedding): take that of FEM or limit analysis");
 }
 
 }  // namespace
