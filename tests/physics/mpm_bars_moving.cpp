@@ -14,7 +14,7 @@
 namespace talus {
 namespace {
 
-constexpr double bond = 4e3, plate = 4e3, yield_slip = 1e-3;  ///< [N/m], [N], [m]
+constexpr double bond_strength = 4e3, plate = 4e3, yield_slip = 1e-3;  ///< [N/m], [N], [m]
 
 mpm::SoilPlace find_place(const mpm::Body<2>& body, const Vec<2>& x, const Vec<2>& inwards) {
   mpm::SoilPlace place;
@@ -35,7 +35,7 @@ mpm::Bar make_bar(const mpm::Body<2>& body, double head, double end, double y, d
     node.place = length * i / pieces;
     node.soil = find_place(body, {head + sign * node.place, y}, {sign, 0});
     const double own = (i == 0 || i == pieces ? 0.5 : 1) * length / pieces;
-    node.bond = {own * bond / yield_slip, -own * bond, own * bond, false};
+    node.bond = {own * bond_strength / yield_slip, -own * bond_strength, own * bond_strength, false};
   }
   bar.pieces.assign(static_cast<std::size_t>(pieces), {.length = length / pieces});
   const int places = static_cast<int>(std::ceil(4 / size));
@@ -97,14 +97,14 @@ void pull_out(double size, double strength, bool is_mirrored) {
     impulse += force * o.dt;
     const auto [sum, mass] = measure([&](const auto& p) { return sign * p.displacement[0]; });
     moved = sum / mass;
-    if (moved > 5 * yield_slip) worst = std::max(worst, std::abs(force - (strength + bond * (2 - moved))));
+    if (moved > 5 * yield_slip) worst = std::max(worst, std::abs(force - (strength + bond_strength * (2 - moved))));
     ASSERT_LT(body.step_count, 20000);
   }
   // A node has the bond of half an element, and leaves it where the next point is its own size away.
-  EXPECT_LT(worst, 0.6 * size * bond);
+  EXPECT_LT(worst, 0.6 * size * bond_strength);
   const auto [momentum, mass] = measure([&](const auto& p) { return sign * p.velocity[0]; });
   EXPECT_NEAR(momentum, mass * start - impulse, 0.01 * impulse) << "the bar alone slows the block";
-  expect_balance(body, strength + 2 * bond);
+  expect_balance(body, strength + 2 * bond_strength);
   EXPECT_NEAR(body.bars[0].nodes.front().soil.x[0], place(7), 0.02) << "the soil at rest holds the bar";
 }
 
