@@ -39,11 +39,15 @@ input::Case coarsen(input::Case data) {
 /// direction on that mesh, which is another slide. A slope that is stable there is a valid result.
 bool add(const results::Runout& there, double size, results::Runout& here) {
   if (here.moved_volume <= 0) return true;
-  if (there.moved_volume > 0 && there.direction != here.direction) return false;
+  const results::RunoutSide* same = &there;  // of a section that moves to both sides, the side of `here`
+  if (there.sides)
+    for (const results::RunoutSide& side : *there.sides)
+      if (side.direction == here.direction) same = &side;
+  if (there.moved_volume > 0 && same->direction != here.direction) return false;
   here.coarser_mesh = {size,
-                       there.front_advance,
-                       there.toe_distance,
-                       there.crest_retreat,
+                       same->front_advance,
+                       same->toe_distance,
+                       same->crest_retreat,
                        there.moved_volume,
                        there.highest_ground,
                        there.deposit_volume};
