@@ -109,6 +109,32 @@ TEST(SeepageDam, ThickDamIsThePlaneOne) {
   EXPECT_NEAR(r.exits[0].highest[1], plane.result.exits[0].highest[1], 0.4);
 }
 
+TEST(SeepageDam, FlowUnderARisingLevelEndsInTheSteadyOne) {
+  // Groundwater behind the soil rises past the nodes of its border, each of which jumps to the level that reaches it.
+  constexpr double day = 86400, low = 1, high = 8;
+  const auto mesh = make_soil_box<2>({8, 10}, {16, 10});
+  auto soil = make_soil<2>(1e-5);
+  soil.retention = material::VanGenuchten{0.1, 1, 10e3, 0.5};
+  for (const double rise : {0.3, 1.5}) {
+    SeepageModel<2> model{&mesh, {soil}, {}};
+    model.boundaries = {make_condition(mesh, "left", HydraulicKind::reservoir, low),
+                        make_condition(mesh, "right", HydraulicKind::reservoir, 3)};
+    const auto before = fem::solve_steady_seepage(model);
+    model.boundaries[0].value = high;
+    const auto steady = fem::solve_steady_seepage(model);
+    model.boundaries[0].history = {{0, low}, {rise * day, high}};
+    fem::SeepageSchedule schedule;
+    schedule.outputs = {rise * day, 400 * day};
+    schedule.head_tolerance = 0.01;
+    const auto history = fem::solve_transient_seepage(model, before.head, schedule);
+    const auto& end = history.states.back();
+    EXPECT_NEAR(end.inflow / steady.inflow, 1, 1e-3) << rise;
+    for (std::size_t i = 0; i < mesh.nodes.size(); ++i) EXPECT_NEAR(end.head[i], steady.head[i], 0.01) << rise;
+    const auto& v = history.volumes.back();
+    EXPECT_NEAR(v[0].inflow + v[1].inflow - v[0].outflow - v[1].outflow, history.stored.back(), 1e-6 * v[0].inflow);
+  }
+}
+
 TEST(SeepageDam, EarthDamHasThePublishedPressuresAndDischarge) {
   // Fredlund and Rahardjo's dam: base 52 m, crest 4 m, height 12 m, 1:2 slopes, reservoir at 10 m; k over suction as a
   // table. Pore pressure heads [m] on x = 26 m, read from published contours to 0.1 m, and discharges of a second

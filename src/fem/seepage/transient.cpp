@@ -198,6 +198,8 @@ SeepageHistory<D> solve_transient_seepage(const SeepageModel<D>& model, const st
     if (!solved || (error > 2 * schedule.head_tolerance && step > 4 * smallest)) {
       ++history.rejected;
       dt = step * (solved ? std::clamp(0.9 * std::sqrt(schedule.head_tolerance / error), 0.2, 0.7) : 0.25);
+      // A node of the border that a rising level reaches jumps to it in a step of any length.
+      if (solved) dt = std::max(dt, smallest);
       if (dt < smallest)
         throw Error(ExitCode::unstable, "Seepage did not converge at {:.6g} s, not even with a step of {:.3g} s.", time,
                     dt);
