@@ -108,6 +108,51 @@ TEST_F(TrescaTest, TakesNoPoreWaterNoFrictionAndNoCohesion) {
       std::string::npos);
 }
 
+TEST_F(TrescaTest, InStagesPoreWaterChangesNoFactor) {
+  // "Undrained B": pore pressures carry weight and leave the strength as it is, that of frictionless soil.
+  const std::string circle = R"(
+[lem]
+methods = ["spencer"]
+search = "none"
+referee = false
+yield_acceleration = false
+[[lem.surface]]
+name = "circle"
+centre = [25, 23]
+radius = 19
+)";
+  const std::string stages = circle + R"(
+[materials.sand.water]
+retention = "saturated"
+conductivity = "1e-8 m/s"
+[initial]
+stress = "k0"
+k0 = 0.6
+pore_pressure = "water_table"
+water_table = [[0, 5], [44, 5]]
+[fem]
+size = 4
+meshes = 1
+resolution = 0.1
+[[construction]]
+name = "rest"
+duration = 30
+drainage = "drained"
+)";
+  const std::string soil = std::string(tresca) + growing, other = std::string(frictionless) + growing_cohesion;
+  const std::string weight = fmt::format("{}", (0.6 * 2650 + 0.4 * 1000) * 9.81e-3);
+  const json total = run(write_soil("\"lem\"", soil, circle),
+                         {{"materials.sand.unit_weight", weight}, {"materials.sand.grain_density", ""}});
+  const double factor = total.at("lem").at("given")[0].at("factor");
+  const json found = run(write_soil("\"fem\", \"lem\"", soil, stages));
+  // The water table is one more side of slices.
+  EXPECT_NEAR(support::find_result(found, "construction[rest].lem").value_or(0), factor, 1e-4 * factor);
+  EXPECT_EQ(support::find_result(found, "construction[rest].fem"),
+            support::find_result(run(write_soil("\"fem\"", other, stages)), "construction[rest].fem"));
+  EXPECT_NE(find_fault(write_soil("\"fem\", \"mpm\"", soil, stages)).find("it has no pore water of its own"),
+            std::string::npos);
+}
+
 TEST_F(TrescaTest, PartialFactorsDivideTheUndrainedStrengthAndItsGrowth) {
   const input::Case data =
       input::read_case_text(write_soil("\"lem\"", std::string(tresca) + growing,

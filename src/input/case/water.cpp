@@ -290,11 +290,13 @@ void check_water(const Case& data, Findings& findings) {
   for (const auto& [name, material] : data.materials) {
     const Soil soil{{findings, "materials." + name + ".water"}, name, material};
     if (!material.water.is_wet() || !soil.is_sound("retention")) continue;
-    if (!material.traits().takes_water) {
-      findings.add(soil.path,
-                   "material '{}' is described in total stresses, model = \"{}\": it has no pore water of its own; "
-                   "take [{}] out",
-                   name, material.traits().word, soil.path);
+    // In stages FEM has pore pressures in total-stress laws too: the "undrained B" of practice.
+    if (!material.traits().takes_water && (data.construction.empty() || uses(data, Method::mpm))) {
+      findings.add(
+          soil.path,
+          "material '{}' is described in total stresses, model = \"{}\": it has no pore water of its own but in "
+          "stages of construction without MPM; take [{}] out",
+          name, material.traits().word, soil.path);
       continue;
     }
     check_limits(soil);
