@@ -155,6 +155,23 @@ TEST(SeepageFace, LiesOnASurface) {
   expect_fault(change(air, crest, "on = @@\"drain\"\ncondition = \"seepage_face\""), "no soil touches it");
 }
 
+TEST(Rain, FallsOnALineAlongLevelGroundWithoutMpm) {
+  const std::string column = R"(title = "column"
+analysis.methods = ["seepage"]
+geometry.polygon = [{ name = "c", points = [[0, 0], [2, 0], [2, 5], [0, 5]] }]
+geometry.line = [{ name = "ground", points = [[0, 5], [2, 5]] }, { name = "end", points = [[2, 0], [2, 5]] }]
+regions.c = "s"
+mesh.size = 0.5
+hydraulic = [{ on = "ground", condition = "rain", rate = 1 }, { on = "end", condition = "seepage_face" }]
+materials.s = { porosity = 0.4, water = { retention = "saturated", conductivity = 1e-6 } }
+)";
+  EXPECT_TRUE(find_faults(column).empty());
+  const std::string aside = change(column, "[[0, 5], [2, 5]]", "[[0, 0], [0, 5]]");
+  const std::vector<Diagnostic> faults = find_faults(aside);
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_NE(faults[0].sentence.find("rain on 'ground', which is never a surface of the soil"), std::string::npos);
+}
+
 TEST(Hydraulic, LiesOnASurfaceOfSoilWithWater) {
   // A run refuses these as without effect.
   for (const char* condition : {"\"total_head\"\nhead = 10", "\"flux\"\nrate = -1", "\"pressure\"\npressure = 1"}) {

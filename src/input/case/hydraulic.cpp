@@ -93,6 +93,12 @@ mesh::Polyline find_line(const mesh::Plan& plan, const std::string& name) {
   return {};
 }
 
+bool lies_on_top(const mesh::Plan& plan, const mesh::Polyline& line) {
+  return std::all_of(line.begin(), line.end(), [&](const Point2& x) {
+    return std::abs(x[1] - plan.box_max[1]) <= 1e-9 * (plan.box_max[1] - plan.box_min[1]);
+  });
+}
+
 const char* name_condition(WaterCondition condition) {
   switch (condition) {
     case WaterCondition::total_head:
@@ -146,7 +152,9 @@ void check_surface(const Case& data, const Hydraulic& hydraulic, const std::vect
     if (!is_face) report("the soil does not reach it; draw a line along the ground and name it");
     return;
   }
-  if (is_named && (is_rain || is_face) && !border.meets_air)
+  // Soil that MPM does not move needs no empty space: water may leave through every side, and rain enters level ground.
+  const bool is_open_side = !uses(data, Method::mpm) && border.is_surface && (is_face || lies_on_top(plan, line));
+  if (is_named && (is_rain || is_face) && !border.meets_air && !is_open_side)
     return report("it lies inside the soil or along a side of the box");
   if (knows_water && !is_face && !border.is_surface)
     report("soil with pore water lies on both of its sides, or on none of them");
