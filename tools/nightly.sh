@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: MIT
 # Runs the checks that take too long for every change: all tests, also with sanitizers and with clang, every source through the linter, and
 # the campaigns that try to break the program. The last lines list minutes and result of each part; ends with 1 if one of them failed.
-# Usage: tools/nightly.sh [part …]; parts: tests asan asan_cases tsan clang lint arm fuzz invariance cases meshes results kills disks calls
+# Usage: tools/nightly.sh [part …]; parts: tests asan asan_cases tsan clang lint arm fuzz invariance kinds cases meshes results kills disks calls
 #        names files damage signals inputs readers
 set -uo pipefail
 cd "$(dirname "$0")/.."
 parts=("$@")
-[ ${#parts[@]} -gt 0 ] || parts=(tests asan asan_cases tsan clang lint arm fuzz invariance cases meshes results kills disks calls names files damage signals inputs readers)
+[ ${#parts[@]} -gt 0 ] || parts=(tests asan asan_cases tsan clang lint arm fuzz invariance kinds cases meshes results kills disks calls names files damage signals inputs readers)
 program=build/release/bin/talus
 told=()
 failed=0
@@ -23,6 +23,7 @@ do_part() {
     arm) tools/check_aarch64.py ;;
     fuzz) tools/fuzz.sh 10 ;;
     invariance) tools/verify_invariance.py $program --write ;;
+    kinds) tools/verify_kinds.py $program --write ;;
     cases) tools/break_it.py $program cases --count 1000 --write ;;
     meshes) tools/break_it.py $program meshes --count 500 --write ;;
     results) tools/break_it.py $program results --count 1000 --write ;;
