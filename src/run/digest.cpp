@@ -265,7 +265,8 @@ std::string write_runout(const results::Runout& r, const std::string& name, cons
   for (const results::RunoutSide& side : *r.sides) {
     const results::RunoutEstimates own(side);  // two meshes have only the sum of both sides
     text += fmt::format("  {}: {}, {}\n", results::name_side(side.direction),
-                        write_side(side, side.direction == r.direction ? about : own, in), write_volumes(own, in));
+                        write_side(side, r.coarser_mesh && side.direction == r.direction ? about : own, in),
+                        write_volumes(own, in));
   }
   return text;
 }

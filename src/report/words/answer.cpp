@@ -224,7 +224,7 @@ class RunoutWords {
     // The coarser mesh is that of the side which represents the whole runout, and has the sum of the volumes only.
     for (const results::RunoutSide& side : sides) {
       const results::RunoutEstimates own(side);
-      const auto& ends = side.direction == runout.direction ? about : own;
+      const auto& ends = runout.coarser_mesh && side.direction == runout.direction ? about : own;
       sentences_.push_back(fmt::format("On the {} {}, {}, and {}.", side.direction < 0 ? "left" : "right",
                                        describe_front(side, ends), describe_crest(side, ends), describe_volumes(own)));
     }
