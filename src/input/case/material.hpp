@@ -31,7 +31,7 @@ struct SliceSoil {
   std::optional<double> saturated_unit_weight;  ///< γ_sat, below the water table [N/m³]
   double pore_pressure_ratio = 0;               ///< r_u [-]
   SuctionStrength suction_strength =
-      SuctionStrength::from_water;  ///< from_water: χ = S_w for soil with a retention curve, else none
+      SuctionStrength::from_water;  ///< from_water: χ = S_w for soil with pore water of its own, else none
   double phi_b = 0;                 ///< [rad]
   std::optional<double> b_bar;      ///< B̄ in drawdown [-]; not given: drained
   std::optional<UndrainedEnvelope> undrained_envelope;  ///< for drawdown; not given: drained
@@ -40,7 +40,7 @@ struct SliceSoil {
 template <>
 inline constexpr auto choices<SuctionStrength> = std::array{
     Choice{SuctionStrength::from_water, "from_water",
-           "as \"saturation\" where [materials.NAME.water] has a retention curve, else \"none\""},
+           "χ s tan φ with χ = S, also where it stays 1, in soil with [materials.NAME.water], else \"none\""},
     Choice{SuctionStrength::none, "none", "nothing: no pore pressure above the water table"},
     Choice{SuctionStrength::saturation, "saturation", "χ s tan φ with χ = S, Bishop's effective stress"},
     Choice{SuctionStrength::phi_b, "phi_b", "s tan φᵇ, after Fredlund"},

@@ -246,9 +246,9 @@ class Reading {
         : by_saturation && (given_ != nullptr || associated_ != nullptr || frozen_)
             ? "; every method takes it as χ s with the same χ"
             : "");
-    // A retention curve is often given for the seepage alone.
+    // Pore water is often given for the seepage alone.
     if (by_default)
-      say("It counts because a material has a retention curve; suction_strength = \"none\" leaves it out.");
+      say("It counts where [materials.NAME.water] stands without suction_strength; \"none\" leaves it out.");
   }
 
   void read_flow() {
