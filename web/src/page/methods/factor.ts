@@ -75,7 +75,7 @@ export const factor = {
     what began behind the toe and lies over the old ground. With $t(s)$ the mean thickness of the deposit over an element
     of size $h$, the front is the farthest place $s$ along the direction of motion where it is thick enough:
     $$s_f=\max\{s:t(s)\ge\max(H/20,\,h/4)\},\qquad V=\sum_{p\,:\,|\mathbf u_p|>0.01H}V_p$$
-    s_f = max { s : t(s) ≥ max(H/20, h/4) },  V = Σ V_p over points with |u_p| > 0.01 H $$
+    s_f = largest s with t(s) ≥ max(H/20, h/4),  V = Σ V_p over points with |u_p| > 0.01 H $$
     The retreat of the crest is how far behind the crest the ground sank by as much. A measure whose uncertainty from two
     meshes exceeds half of it, and an element, is not determined. The results say whether the soil had come to rest when
     the calculation ended.`],
