@@ -249,7 +249,7 @@ std::string write_volumes(const results::RunoutEstimates& about, const Units& in
     return volume.is_determined() ? fmt::format("{} {}", in.write_volume(volume), verb)
                                   : fmt::format("{} {}", noun, in.write_volume(volume));
   };
-  const std::string text = write(about.moved_volume, "move", "moved volume");
+  std::string text = write(about.moved_volume, "move", "moved volume");
   if (about.deposit_volume.is_determined() && about.deposit_volume.value <= 0) return text;
   return text + ", " + write(about.deposit_volume, "lie over the old ground", "volume over the old ground");
 }

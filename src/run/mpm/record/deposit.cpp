@@ -71,7 +71,7 @@ ColumnGrid make_column_grid(const mesh::Mesh<D>& mesh, double size) {
 Ground::Ground(const ColumnGrid& grid, const std::vector<SoilCube>& soil)
     : grid_(grid), levels_(static_cast<std::size_t>(grid.columns) * static_cast<std::size_t>(grid.lanes), none) {
   for (const SoilCube& c : soil) {
-    double& level = levels_[static_cast<std::size_t>(c.lane * grid.columns + grid.find_column(c.x))];
+    double& level = levels_[grid.find_index(grid.find_column(c.x), c.lane)];
     level = std::max(level, c.y + 0.5 * c.size);
   }
 }

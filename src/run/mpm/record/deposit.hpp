@@ -21,6 +21,10 @@ struct ColumnGrid {
   int find_column(double x) const;
   int find_lane(double z) const;
   double centre(int column) const { return left + (column + 0.5) * width; }
+  /// Index of a column of a lane, lane by lane.
+  std::size_t find_index(int column, int lane) const {
+    return static_cast<std::size_t>(lane) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
+  }
 };
 
 /// Divides the box of `mesh` into columns and lanes as wide as `size` [m], rounded to a whole number of them.
@@ -41,7 +45,7 @@ class Ground {
   Ground(const ColumnGrid& grid, const std::vector<SoilCube>& soil);
   const ColumnGrid& grid() const { return grid_; }
   /// -infinity where there is no soil [m].
-  double level(int column, int lane) const { return levels_[static_cast<std::size_t>(lane * grid_.columns + column)]; }
+  double level(int column, int lane) const { return levels_[grid_.find_index(column, lane)]; }
   /// Returns the highest level of each column that has soil.
   results::Profile make_profile() const;
 
