@@ -42,8 +42,8 @@ std::array<double, 6> compute_viggiani(double lambda, double chi, double moment)
 }
 
 TEST(LemPiles, TwoUniformSoilsHaveTheLeastOfViggianisSixModes) {
-  constexpr std::array mechanisms{PileMechanism::embedment, PileMechanism::rotation,   PileMechanism::one_hinge,
-                                  PileMechanism::one_hinge, PileMechanism::two_hinges, PileMechanism::lateral};
+  constexpr std::array mechanisms{BarLimit::embedment, BarLimit::rotation,   BarLimit::one_hinge,
+                                  BarLimit::one_hinge, BarLimit::two_hinges, BarLimit::lateral};
   constexpr double above = 4, pressure = 30;
   std::array<int, 6> seen{};
   std::mt19937 random(3);
@@ -61,7 +61,7 @@ TEST(LemPiles, TwoUniformSoilsHaveTheLeastOfViggianisSixModes) {
     const PileForce found = compute_pile_force({&mass, above, 0}, {&stable, above, length},
                                                {0.25 * ratio * pressure * above * above, infinity, infinity});
     EXPECT_NEAR(found.force, modes[least] * all, 1e-9 * all) << lambda << " " << chi << " " << ratio;
-    EXPECT_EQ(found.mechanism, mechanisms[least]) << lambda << " " << chi << " " << ratio;
+    EXPECT_EQ(found.limit, mechanisms[least]) << lambda << " " << chi << " " << ratio;
     // Seen from the other end it is the same pile.
     EXPECT_NEAR(compute_pile_force({&mass, length - above, length}, {&stable, length - above, 0},
                                    {0.25 * ratio * pressure * above * above, infinity, infinity})

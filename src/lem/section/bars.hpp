@@ -11,6 +11,22 @@
 
 namespace talus::lem {
 
+/// Limit that governs the force of a bar. Those of a pile are its mechanisms: the mass flows past it (`lateral`, or the
+/// given resistance governs), it moves with the mass through the stable soil (`embedment`), rotates in both soils, or
+/// has a plastic hinge on one side of the surface or on both.
+enum class BarLimit {
+  tension,
+  pull_out,
+  stripping,
+  prestress,
+  lateral,
+  shear,
+  embedment,
+  rotation,
+  one_hinge,
+  two_hinges
+};
+
 /// Resistance of a bar that is summed from its head: pull-out by bond, or the pressure of flowing soil [N/m].
 struct BarDiagram {
   double from = 0, step = 1;     ///< first station, distance of the stations [m]

@@ -60,9 +60,9 @@ double PileSide::compute_strength() const {
 
 PileForce compute_pile_force(const PileSide& mass, const PileSide& stable, const PileStrength& strength) {
   const SideSums front(mass), behind(stable);
-  PileForce found{std::min(front.strength(), strength.lateral), PileMechanism::lateral};
-  if (strength.shear <= found.force) found = {strength.shear, PileMechanism::shear};
-  if (behind.strength() < found.force) found = {behind.strength(), PileMechanism::embedment};
+  PileForce found{std::min(front.strength(), strength.lateral), BarLimit::lateral};
+  if (strength.shear <= found.force) found = {strength.shear, BarLimit::shear};
+  if (behind.strength() < found.force) found = {behind.strength(), BarLimit::embedment};
   // The moments of both sides have to balance. The excess is convex and grows with the force, so that Newton's method
   // approaches its root from above.
   constexpr int iterations = 60;
@@ -72,9 +72,7 @@ PileForce compute_pile_force(const PileSide& mass, const PileSide& stable, const
     const double excess = a.moment + b.moment, growth = a.distance + b.distance;
     if (!(excess > tolerance * found.force * growth)) break;
     const int hinges = static_cast<int>(a.is_hinged) + static_cast<int>(b.is_hinged);
-    found.mechanism = hinges == 2   ? PileMechanism::two_hinges
-                      : hinges == 1 ? PileMechanism::one_hinge
-                                    : PileMechanism::rotation;
+    found.limit = hinges == 2 ? BarLimit::two_hinges : hinges == 1 ? BarLimit::one_hinge : BarLimit::rotation;
     found.force = std::max(0.0, found.force - excess / growth);
   }
   return found;

@@ -7,16 +7,6 @@
 
 namespace talus::lem {
 
-/// Mechanism that limits the force of a pile on the mass.
-enum class PileMechanism {
-  lateral,    ///< the mass flows past the pile, or the given resistance governs
-  shear,      ///< shear strength of the pile
-  embedment,  ///< the pile moves with the mass through the stable soil
-  rotation,   ///< the rigid pile rotates in both soils
-  one_hinge,  ///< a plastic hinge on one side of the surface
-  two_hinges  ///< plastic hinges on both sides
-};
-
 /// The part of a pile on one side of a slip surface.
 struct PileSide {
   const BarDiagram* diagram = nullptr;  ///< ultimate pressure of the soil along the pile
@@ -36,7 +26,7 @@ struct PileStrength {
 /// Force of a pile on the mass, and what limits it.
 struct PileForce {
   double force = 0;  ///< [N/m]
-  PileMechanism mechanism = PileMechanism::lateral;
+  BarLimit limit = BarLimit::lateral;
 };
 
 /// Returns the largest shear force of a pile with free ends at the slip surface that is in equilibrium with pressures

@@ -135,24 +135,6 @@ void spread_force(const Bar& bar, const Point& axis, CutSurface& cut) {
   if (sum == 0) cut.parts.push_back({pull, own.slice, 1, own.direction});
 }
 
-BarLimit convert(PileMechanism mechanism) {
-  switch (mechanism) {
-    case PileMechanism::lateral:
-      return BarLimit::lateral;
-    case PileMechanism::shear:
-      return BarLimit::shear;
-    case PileMechanism::embedment:
-      return BarLimit::embedment;
-    case PileMechanism::rotation:
-      return BarLimit::rotation;
-    case PileMechanism::one_hinge:
-      return BarLimit::one_hinge;
-    case PileMechanism::two_hinges:
-      break;
-  }
-  return BarLimit::two_hinges;
-}
-
 /// Sets the force of a bar across it at `s`, with its end in the mass and the other one in stable soil.
 void set_lateral(const Slope& slope, double s, double in_mass, double in_stable, BarPull& pull) {
   const auto number = static_cast<std::size_t>(pull.bar);
@@ -172,7 +154,7 @@ void set_lateral(const Slope& slope, double s, double in_mass, double in_stable,
   pull.front = std::min(given, mass.compute_strength());
   const PileForce found = compute_pile_force(mass, stable, {bar.moment, bar.shear, given});
   pull.resistance = found.force;
-  pull.limit = convert(found.mechanism);
+  pull.limit = found.limit;
 }
 
 }  // namespace

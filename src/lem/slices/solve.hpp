@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/methods.hpp"
+#include "lem/section/bars.hpp"
 #include "lem/section/slope.hpp"
 #include "lem/surface/limits.hpp"
 #include "lem/surface/surface.hpp"
@@ -94,20 +95,6 @@ struct DrawnBase {
 /// Strength at the base of a slice: c [Pa], tanφ [-], u [Pa].
 struct BaseStrength {
   double cohesion = 0, tan_friction = 0, pore_pressure = 0;
-};
-
-/// Limit that governs the force of a bar.
-enum class BarLimit {
-  tension,
-  pull_out,
-  stripping,
-  prestress,
-  lateral,
-  shear,
-  embedment,
-  rotation,
-  one_hinge,
-  two_hinges
 };
 
 /// A bar that the base of a mass crosses, and its force there.
