@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <span>
+#include <type_traits>
 
 #include "base/error.hpp"
 #include "mpm/two_velocity/two_velocity_step.hpp"
@@ -187,9 +189,21 @@ bool has_key(const mpm::Bar& bar, const std::string& name, const double* key) {
   return bar.name == name && norm(head) <= near && norm(end) <= near && static_cast<double>(bar.nodes.size()) == key[4];
 }
 
-void read_bar(const double* value, mpm::Bar& bar) {
+[[noreturn]] void throw_damaged() {
+  throw Error(ExitCode::wrong_input,
+              "the state of the supports in the checkpoint is damaged; run the case that has it again");
+}
+
+void read_bar(std::span<const double> state, mpm::Bar& bar) {
   std::vector<mpm::SoilPlace> installed = bar.plate.places;
-  visit_bar(bar, [&](auto& to) { to = static_cast<std::remove_reference_t<decltype(to)>>(*value++); });
+  std::size_t next = 0;
+  visit_bar(bar, [&]<class T>(T& to) {
+    if (next == state.size()) throw_damaged();
+    const double value = state[next++];
+    if constexpr (std::is_same_v<T, std::size_t>)  // the length of a list, whose items follow
+      if (!(value >= 0 && value <= static_cast<double>(state.size() - next))) throw_damaged();
+    to = static_cast<T>(value);
+  });
   if (bar.plate.places.empty()) bar.plate.places = std::move(installed);  // it had no plate
 }
 
@@ -203,18 +217,21 @@ void get_bars(const ArchiveReader& archive, std::vector<mpm::Bar>& bars) {
     throw Error(ExitCode::wrong_input,
                 "the forces of the supports were written by an earlier version; run the case that has them again");
   const auto &keys = archive.reals("bars/keys"), &flat = archive.reals("bars/state");
-  const double* value = flat.data();
+  const std::vector<std::string> names = split_lines(archive.text("bars/names"));
+  if (keys.size() != names.size() * key_size) throw_damaged();
+  std::span<const double> rest(flat);
   std::vector<char> is_found(bars.size(), 0);
-  std::size_t k = 0;
-  for (const std::string& name : split_lines(archive.text("bars/names"))) {
-    const double* key = &keys[k++ * key_size];
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const double* key = &keys[k * key_size];
+    if (!(key[5] >= 0 && key[5] <= static_cast<double>(rest.size()))) throw_damaged();
+    const auto size = static_cast<std::size_t>(key[5]);
     for (std::size_t i = 0; i < bars.size(); ++i) {
-      if (is_found[i] || !has_key(bars[i], name, key)) continue;
+      if (is_found[i] || !has_key(bars[i], names[k], key)) continue;
       is_found[i] = 1;
-      read_bar(value, bars[i]);
+      read_bar(rest.first(size), bars[i]);
       break;
     }
-    value += static_cast<std::ptrdiff_t>(key[5]);
+    rest = rest.subspan(size);
   }
 }
 
