@@ -144,7 +144,7 @@ class Columns {
     if (any || always) table.push_back(std::move(column));
   }
 
-  /// Adds the measure `key` of a runout. A cell whose two meshes leave it open has no number.
+  /// Adds the measure `key` of a runout. A cell says "not determined" where the two meshes do not determine it.
   void add_measure(const std::string& name, const std::string& unit, const char* format, const char* key,
                    const std::function<const Runout*(const RunResult&)>& find, ColumnKind kind = ColumnKind::other) {
     const auto get_estimate = [&](const RunResult& r) -> std::optional<results::Estimate> {

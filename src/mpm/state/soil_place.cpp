@@ -52,7 +52,10 @@ Vec<2> subtract(const Vec<2>& a, const Vec<2>& b) {
 void add_share(SoilPlace& place, int node, double weight) {
   const auto at = std::find_if(place.shares.begin(), place.shares.end(),
                                [&](const NodeShare& share) { return share.node == node; });
-  at == place.shares.end() ? place.shares.push_back({node, weight}) : void(at->weight += weight);
+  if (at == place.shares.end())
+    place.shares.push_back({node, weight});
+  else
+    at->weight += weight;
 }
 
 bool is_inside(const SoilPlace& place) {
