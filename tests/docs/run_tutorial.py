@@ -92,7 +92,7 @@ def run_all(folder: Path) -> list[str]:
             faults.append(f"'talus {command}' ends with {result.returncode}: {result.stderr}")
     runs = {words.split()[1] + (" weak" if "-o weak" in words else " taylor" if "-o taylor" in words else ""): output
             for words, output in outputs.items()}
-    for name, pattern in {"bank.toml": r"no soil moves more than", "bank.toml weak": r"displacement [1-9][\d.]* m, "}.items():
+    for name, pattern in {"bank.toml": r"no soil moves more than", "bank.toml weak": r"displacement [1-9][\d.]* m, (moved volume not determined \(two meshes: )?\d\d"}.items():
         if not re.search(pattern, runs.get(name, "")):
             faults.append(f"{name}: '{pattern}' is not in\n{runs.get(name)}")
     # On this coarser mesh the extrapolated factor is within 6 % of the log-spiral mechanism, 1.562.
